@@ -1,0 +1,50 @@
+# One target for each folder, with exactly the links of docs/architecture.md.
+#
+#   quarry_library(engine_base SOURCES a.cpp b.cpp LINKS fmt::fmt)
+#   quarry_test(engine_base_test SOURCES ... LINKS quarry::engine_base)
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}")
+
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release)
+endif()
+
+add_library(quarry_options INTERFACE)
+target_include_directories(quarry_options INTERFACE "${CMAKE_SOURCE_DIR}")
+# Contraction breaks exact predicates: cross(u, u) becomes nonzero. It stays off for every target.
+target_compile_options(quarry_options INTERFACE -ffp-contract=off -Wall -Wextra -Wconversion -Wshadow)
+if(QUARRY_WARNINGS_AS_ERRORS)
+  target_compile_options(quarry_options INTERFACE -Werror)
+endif()
+target_compile_definitions(quarry_options INTERFACE
+  $<$<BOOL:${QUARRY_CHECK_CLAIMS}>:QUARRY_CHECK_CLAIMS=1>)
+
+# A folder's library: headers only when no source is given.
+function(quarry_library name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINKS" ${ARGN})
+  if(ARG_SOURCES)
+    add_library(quarry_${name} STATIC ${ARG_SOURCES})
+    target_link_libraries(quarry_${name} PUBLIC quarry_options ${ARG_LINKS})
+  else()
+    add_library(quarry_${name} INTERFACE)
+    target_link_libraries(quarry_${name} INTERFACE quarry_options ${ARG_LINKS})
+  endif()
+  add_library(quarry::${name} ALIAS quarry_${name})
+endfunction()
+
+# One test program; each of its tests is known to ctest by its own name.
+function(quarry_test name)
+  cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;LINKS" ${ARGN})
+  if(NOT ARG_TIMEOUT)
+    set(ARG_TIMEOUT 300)
+  endif()
+  add_executable(${name} ${ARG_SOURCES})
+  set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/tests")
+  target_link_libraries(${name} PRIVATE quarry_options ${ARG_LINKS} GTest::gtest_main)
+  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST WORKING_DIRECTORY "${CMAKE_SOURCE_DIR}"
+                       PROPERTIES TIMEOUT ${ARG_TIMEOUT})
+endfunction()

@@ -1,0 +1,66 @@
+// Lines as they come from files, and lines as they leave cleaning: the two forms that cross folder borders.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "engine/base/id.hpp"
+#include "engine/geometry/box.hpp"
+#include "engine/geometry/vec.hpp"
+
+namespace quarry {
+
+using LineId = Id<struct LineKind>;    // an input line, in reading order across all files
+using NodeId = Id<struct NodeKind>;    // a point of the cleaned lines
+using PieceId = Id<struct PieceKind>;  // a straight segment between two nodes of the cleaned lines
+
+// One line of the input: a LineString, a part of a MultiLineString or a ring of a polygon (closed: its last point
+// equals its first). It keeps its number for good, even if it is dropped.
+struct InputLine {
+  std::vector<Vec2> points;
+  std::uint32_t file = 0;      // index into LineSet::files
+  std::uint32_t feature = 0;   // number of the feature in its file, from 0
+  bool polygon_ring = false;   // a ring of a Polygon or MultiPolygon
+  bool hole = false;           // an inner ring
+
+  [[nodiscard]] bool closed() const { return points.size() > 2 && points.front() == points.back(); }
+};
+
+struct LineSet {
+  std::vector<std::string> files;
+  IdVector<LineId, InputLine> lines;
+
+  [[nodiscard]] Box2 box() const {
+    Box2 result;
+    for (const InputLine& line : lines)
+      for (const Vec2 point : line.points) result.extend(point);
+    return result;
+  }
+};
+
+// What a piece is to the domain.
+enum class PieceKindOf : std::uint8_t {
+  kInterior,  // faces on both sides
+  kOutline,   // on the outer boundary or the rim of a hole
+};
+
+// A straight segment between two nodes; pieces meet at nodes only, and no node lies nearer than the snapping
+// distance to a piece that does not end there.
+struct Piece {
+  NodeId from;
+  NodeId to;
+  PieceKindOf kind = PieceKindOf::kInterior;
+};
+
+// Cleaned, noded line work. No two pieces join the same two nodes.
+struct NodedLines {
+  IdVector<NodeId, Vec2> nodes;
+  IdVector<PieceId, Piece> pieces;
+  // The input lines that run along each piece, ascending, in compressed rows: those of piece p are
+  // line_numbers[line_begin[p] .. line_begin[p + 1]). Empty for an outline that is no input line.
+  std::vector<std::uint32_t> line_begin;
+  std::vector<LineId> line_numbers;
+};
+
+}  // namespace quarry

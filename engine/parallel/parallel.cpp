@@ -1,0 +1,74 @@
+#include "engine/parallel/parallel.hpp"
+
+#include <atomic>
+#include <chrono>
+#include <thread>
+
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/info.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
+
+namespace quarry::parallel {
+namespace {
+
+struct Probe {
+  std::atomic<int> sleep_microseconds{0};
+  std::atomic<std::uint64_t> chunks{0};
+  std::atomic<std::uint64_t> chunks_of_others{0};
+};
+
+Probe& probe() {
+  static Probe instance;
+  return instance;
+}
+
+void run_probed(std::size_t chunk, detail::ChunkBody body, std::thread::id caller) {
+  const int sleep = probe().sleep_microseconds.load(std::memory_order_relaxed);
+  if (sleep > 0) {
+    probe().chunks.fetch_add(1, std::memory_order_relaxed);
+    if (std::this_thread::get_id() != caller) probe().chunks_of_others.fetch_add(1, std::memory_order_relaxed);
+    std::this_thread::sleep_for(std::chrono::microseconds(sleep));
+  }
+  body(chunk);
+}
+
+}  // namespace
+
+namespace detail {
+
+void run_chunks(std::size_t chunk_count, ChunkBody body) {
+  const std::thread::id caller = std::this_thread::get_id();
+  if (chunk_count == 1) {
+    run_probed(0, body, caller);
+    return;
+  }
+  tbb::parallel_for(
+      std::size_t{0}, chunk_count, [&](std::size_t chunk) { run_probed(chunk, body, caller); },
+      tbb::simple_partitioner());
+}
+
+void run_with_threads(int threads, ChunkBody body) {
+  const int count = threads > 0 ? threads : hardware_threads();
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                  static_cast<std::size_t>(count));
+  tbb::task_arena arena(count);
+  arena.execute([&] { body(0); });
+}
+
+}  // namespace detail
+
+int hardware_threads() { return tbb::info::default_concurrency(); }
+
+ParticipationProbe::ParticipationProbe(int sleep_microseconds) {
+  probe().chunks = 0;
+  probe().chunks_of_others = 0;
+  probe().sleep_microseconds = sleep_microseconds;
+}
+
+ParticipationProbe::~ParticipationProbe() { probe().sleep_microseconds = 0; }
+
+std::uint64_t ParticipationProbe::chunks() const { return probe().chunks; }
+std::uint64_t ParticipationProbe::chunks_of_other_threads() const { return probe().chunks_of_others; }
+
+}  // namespace quarry::parallel
