@@ -1,0 +1,45 @@
+// Output files that appear whole or not at all: everything that writes a file writes through here.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace quarry {
+
+// Writes to a temporary file beside the target; commit() renames it over the target, and a file that is not
+// committed leaves no trace. Every failure is Error(kOutput) with the path and the system's reason.
+class AtomicFile {
+ public:
+  explicit AtomicFile(std::string path);
+  ~AtomicFile();
+  AtomicFile(const AtomicFile&) = delete;
+  AtomicFile& operator=(const AtomicFile&) = delete;
+
+  void write(std::span<const std::byte> bytes);
+  void write(std::string_view text);
+  // Flushes, closes and renames. Nothing may be written afterwards.
+  void commit();
+
+  [[nodiscard]] const std::string& path() const { return path_; }
+  // Bytes written so far.
+  [[nodiscard]] std::size_t size() const { return size_; }
+
+ private:
+  void flush();
+  [[noreturn]] void fail(const char* action) const;
+
+  std::string path_;
+  std::string target_;  // path_ behind symbolic links
+  std::string temporary_;
+  std::vector<std::byte> buffer_;
+  std::size_t size_ = 0;
+  int descriptor_ = -1;
+};
+
+// Writes a whole file at once.
+void write_file(const std::string& path, std::string_view text);
+
+}  // namespace quarry
