@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -61,6 +62,12 @@ struct NodedLines {
   // line_numbers[line_begin[p] .. line_begin[p + 1]). Empty for an outline that is no input line.
   std::vector<std::uint32_t> line_begin;
   std::vector<LineId> line_numbers;
+
+  // The input lines that run along a piece, ascending.
+  [[nodiscard]] std::span<const LineId> numbers(PieceId piece) const {
+    const std::uint32_t begin = line_begin[piece.value()];
+    return std::span(line_numbers).subspan(begin, line_begin[piece.value() + 1] - begin);
+  }
 };
 
 }  // namespace quarry

@@ -1,0 +1,117 @@
+#include "engine/mesh/build.hpp"
+
+#include <algorithm>
+#include <atomic>
+
+#include <fmt/format.h>
+
+#include "engine/base/error.hpp"
+#include "engine/parallel/parallel.hpp"
+#include "engine/parallel/sort.hpp"
+
+namespace quarry {
+
+class MeshBuilder {
+ public:
+  static Mesh make(std::vector<double> x, std::vector<double> y, std::vector<double> z,
+                   std::span<const FaceCorners> faces) {
+    Mesh mesh;
+    mesh.x_ = std::move(x);
+    mesh.y_ = std::move(y);
+    mesh.z_ = std::move(z);
+    mesh.side_of_.assign(mesh.x_.size(), Mesh::kDeadVertex);
+    mesh.corners_.resize(faces.size() * 4);
+    mesh.neighbours_.resize(faces.size() * 4);
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+      check_corners(mesh, faces[f], f);
+      std::copy(faces[f].begin(), faces[f].end(), mesh.corners_.begin() + static_cast<std::ptrdiff_t>(4 * f));
+    }
+    join_sides(mesh);
+    rebuild_sides_of_vertices(mesh);
+    return mesh;
+  }
+
+ private:
+  static void check_corners(const Mesh& mesh, const FaceCorners& corners, std::size_t face) {
+    const int count = corners[3].valid() ? 4 : 3;
+    for (int i = 0; i < count; ++i) {
+      const VertexId v = corners[static_cast<std::size_t>(i)];
+      if (!v.valid() || v.value() >= mesh.vertex_slots())
+        throw Error(ErrorKind::kInput, fmt::format("face {} names a point that does not exist", face));
+      for (int j = 0; j < i; ++j)
+        if (corners[static_cast<std::size_t>(j)] == v)
+          throw Error(ErrorKind::kInput, fmt::format("face {} has point {} twice", face, v.value()));
+    }
+  }
+
+  // Sorts sides by their two vertices; equal keys are the faces of one edge.
+  static void join_sides(Mesh& mesh) {
+    std::vector<std::uint64_t> keys;
+    std::vector<std::uint32_t> sides;
+    keys.reserve(mesh.corners_.size());
+    sides.reserve(mesh.corners_.size());
+    for (std::uint32_t i = 0; i < mesh.corners_.size(); ++i) {
+      if (!mesh.corners_[i].valid()) continue;
+      const auto [low, high] = std::minmax(mesh.origin(SideId(i)), mesh.target(SideId(i)));
+      keys.push_back((std::uint64_t{low.value()} << 32) | high.value());
+      sides.push_back(i);
+    }
+    parallel::stable_sort_by_key(keys, sides);
+    for (std::size_t i = 0; i < keys.size();) {
+      std::size_t end = i + 1;
+      while (end < keys.size() && keys[end] == keys[i]) ++end;
+      if (end - i > 2) throw_edge(mesh, SideId(sides[i]), "has three faces or more");
+      if (end - i == 2) {
+        const SideId a(sides[i]);
+        const SideId b(sides[i + 1]);
+        if (mesh.origin(a) == mesh.origin(b)) throw_edge(mesh, a, "is turned the same way by both its faces");
+        mesh.set_neighbour(a, b);
+        mesh.set_neighbour(b, a);
+      }
+      i = end;
+    }
+  }
+
+  [[noreturn]] static void throw_edge(const Mesh& mesh, SideId s, const char* what) {
+    const Vec2 a = mesh.point(mesh.origin(s));
+    const Vec2 b = mesh.point(mesh.target(s));
+    throw Error(ErrorKind::kInput,
+                fmt::format("the edge {} - {} {}", format_point(a.x, a.y), format_point(b.x, b.y), what));
+  }
+};
+
+Mesh build_mesh(std::vector<double> x, std::vector<double> y, std::span<const FaceCorners> faces) {
+  return MeshBuilder::make(std::move(x), std::move(y), {}, faces);
+}
+
+Mesh build_mesh(std::vector<double> x, std::vector<double> y, std::vector<double> z,
+                std::span<const FaceCorners> faces) {
+  return MeshBuilder::make(std::move(x), std::move(y), std::move(z), faces);
+}
+
+void rebuild_sides_of_vertices(Mesh& mesh) {
+  // A boundary side starts at a vertex from which nothing lies clockwise: that one is wanted. Ranks make "the
+  // wanted side" a minimum, so that faces may be visited in any order.
+  std::vector<std::uint32_t> best(mesh.vertex_slots(), SideId::kNone);
+  parallel::for_each(mesh.face_slots(), [&](std::size_t i) {
+    const FaceId f(i);
+    if (!mesh.alive(f)) return;
+    for (int k = 0; k < mesh.corner_count(f); ++k) {
+      const SideId s(f, k);
+      const std::uint32_t rank = mesh.neighbour(s).valid() ? s.value() | 0x80000000U : s.value();
+      std::atomic_ref<std::uint32_t> word(best[mesh.origin(s).value()]);
+      std::uint32_t seen = word.load(std::memory_order_relaxed);
+      while (rank < seen && !word.compare_exchange_weak(seen, rank, std::memory_order_relaxed)) {
+      }
+    }
+  });
+  parallel::for_each(mesh.vertex_slots(), [&](std::size_t i) {
+    const VertexId v(i);
+    if (best[i] == SideId::kNone)
+      mesh.delete_vertex(v);
+    else
+      mesh.set_side_of(v, SideId(best[i] & 0x7fffffffU));
+  });
+}
+
+}  // namespace quarry
