@@ -1,0 +1,107 @@
+#include "io/lines/geojson_writer.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "io/atomic_file.hpp"
+
+namespace quarry {
+namespace {
+
+class Chains {
+ public:
+  explicit Chains(const NodedLines& lines) : lines_(lines), used_(lines.pieces.size(), false) {
+    const std::size_t nodes = lines.nodes.size();
+    begin_.assign(nodes + 1, 0);
+    for (const Piece& piece : lines.pieces) {
+      ++begin_[piece.from.value() + 1];
+      ++begin_[piece.to.value() + 1];
+    }
+    for (std::size_t i = 0; i < nodes; ++i)
+      begin_[i + 1] += begin_[i];
+    around_.resize(2 * lines.pieces.size());
+    std::vector<std::size_t> at(begin_.begin(), begin_.end() - 1);
+    for (const PieceId id : IdRange<PieceId>(lines.pieces.size())) {
+      around_[at[lines.pieces[id].from.value()]++] = id;
+      around_[at[lines.pieces[id].to.value()]++] = id;
+    }
+  }
+
+  // The chain through a piece that is in none yet, as nodes; empty if it is in one.
+  std::vector<NodeId> take(PieceId seed) {
+    if (used_[seed.value()]) return {};
+    used_[seed.value()] = true;
+    std::vector<NodeId> back = walk(seed, lines_.pieces[seed].from);
+    std::reverse(back.begin(), back.end());
+    const std::vector<NodeId> ahead = walk(seed, lines_.pieces[seed].to);
+    back.insert(back.end(), ahead.begin(), ahead.end());
+    return back;
+  }
+
+ private:
+  std::vector<NodeId> walk(PieceId piece, NodeId node) {
+    std::vector<NodeId> nodes{node};
+    for (PieceId next = continuation(piece, node); next.valid(); next = continuation(next, node)) {
+      used_[next.value()] = true;
+      const Piece& step = lines_.pieces[next];
+      node = step.from == node ? step.to : step.from;
+      nodes.push_back(node);
+    }
+    return nodes;
+  }
+
+  // The piece that goes on from a node in the same way; none at junctions, ends and where a closed chain is
+  // done.
+  [[nodiscard]] PieceId continuation(PieceId piece, NodeId node) const {
+    const std::size_t begin = begin_[node.value()];
+    if (begin_[node.value() + 1] - begin != 2) return {};
+    const PieceId other = around_[begin] == piece ? around_[begin + 1] : around_[begin];
+    const bool same = lines_.pieces[other].kind == lines_.pieces[piece].kind &&
+                      std::ranges::equal(lines_.numbers(other), lines_.numbers(piece));
+    return same && !used_[other.value()] ? other : PieceId();
+  }
+
+  const NodedLines& lines_;
+  std::vector<std::size_t> begin_;
+  std::vector<PieceId> around_;
+  std::vector<bool> used_;
+};
+
+}  // namespace
+
+void write_lines_geojson(const std::string& path, const NodedLines& lines) {
+  AtomicFile file(path);
+  file.write("{\"type\":\"FeatureCollection\",\"features\":[\n");
+  Chains chains(lines);
+  bool first = true;
+  for (const PieceId id : IdRange<PieceId>(lines.pieces.size())) {
+    const std::vector<NodeId> chain = chains.take(id);
+    if (chain.empty()) continue;
+    std::vector<std::uint32_t> numbers;
+    for (const LineId line : lines.numbers(id))
+      numbers.push_back(line.value());
+    fmt::memory_buffer text;
+    fmt::format_to(std::back_inserter(text),
+                   "{}{{\"type\":\"Feature\",\"properties\":{{\"lines\":[{}],\"kind\":\"{}\"}},",
+                   first ? "" : ",\n", fmt::join(numbers, ","),
+                   lines.pieces[id].kind == PieceKindOf::kOutline ? "outline" : "interior");
+    fmt::format_to(std::back_inserter(text), "\"geometry\":{{\"type\":\"LineString\",\"coordinates\":[");
+    for (std::size_t i = 0; i < chain.size(); ++i) {
+      const Vec2 point = lines.nodes[chain[i]];
+      fmt::format_to(std::back_inserter(text), "{}[{},{}]", i == 0 ? "" : ",", point.x, point.y);
+    }
+    fmt::format_to(std::back_inserter(text), "]}}}}");
+    file.write(std::string_view(text.data(), text.size()));
+    first = false;
+  }
+  file.write("\n]}\n");
+  file.commit();
+}
+
+}  // namespace quarry

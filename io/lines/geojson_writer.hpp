@@ -1,0 +1,16 @@
+// Cleaned lines as GeoJSON.
+#pragma once
+
+#include <string>
+
+#include "engine/geometry/line_set.hpp"
+
+namespace quarry {
+
+// Writes one LineString for each longest chain of pieces that bear the same line numbers and are of the same
+// kind, with the properties "lines" (numbers of the input lines that run along it, ascending) and "kind"
+// ("interior" or "outline"). A chain ends where three pieces meet. Coordinates are written so that reading
+// gives the same bits. Throws Error(kOutput); the file appears whole or not at all.
+void write_lines_geojson(const std::string& path, const NodedLines& lines);
+
+}  // namespace quarry
