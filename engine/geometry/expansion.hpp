@@ -1,7 +1,8 @@
-// Exact arithmetic on sums of doubles (expansions) of a length bounded at compile time. Terms are kept without zeros,
-// by increasing magnitude, strongly nonoverlapping; every operation below keeps them so.
-// Source: J. R. Shewchuk, "Adaptive precision floating-point arithmetic and fast robust geometric predicates",
-// Discrete & Computational Geometry 18, 1997 (FAST-EXPANSION-SUM, SCALE-EXPANSION, both with zero elimination).
+// Exact arithmetic on sums of doubles (expansions) of a length bounded at compile time. Terms are kept
+// without zeros, by increasing magnitude, strongly nonoverlapping; every operation below keeps them so.
+// Source: J. R. Shewchuk, "Adaptive precision floating-point arithmetic and fast robust geometric
+// predicates", Discrete & Computational Geometry 18, 1997 (FAST-EXPANSION-SUM, SCALE-EXPANSION, both with
+// zero elimination).
 #pragma once
 
 #include <array>
@@ -18,7 +19,7 @@ struct Expansion {
   std::array<double, Capacity> terms;
   std::size_t size = 0;
 
-  Expansion() {}
+  Expansion() = default;
   explicit Expansion(DoubleWord value) {
     push(value.low);
     push(value.high);
@@ -38,13 +39,15 @@ struct Expansion {
 
  private:
   void copy_terms(const Expansion& other) {
-    for (std::size_t i = 0; i < size; ++i) terms[i] = other.terms[i];
+    for (std::size_t i = 0; i < size; ++i)
+      terms[i] = other.terms[i];
   }
 };
 
 template <std::size_t N>
 Expansion<N> operator-(Expansion<N> a) {
-  for (std::size_t i = 0; i < a.size; ++i) a.terms[i] = -a.terms[i];
+  for (std::size_t i = 0; i < a.size; ++i)
+    a.terms[i] = -a.terms[i];
   return a;
 }
 

@@ -6,11 +6,13 @@
 #include "engine/geometry/expansion.hpp"
 
 // Each predicate has three stages, and "permanent" is the sum of the magnitudes of the determinant's terms:
-//   1. plain doubles, with the error bounds of the first stage of Shewchuk 1997 (table of section 4: ccwerrboundA,
+//   1. plain doubles, with the error bounds of the first stage of Shewchuk 1997 (table of section 4:
+//   ccwerrboundA,
 //      o3derrboundA, iccerrboundA), in units of u = 2^-53;
 //   2. double-words on exact differences, with the bound kDoubleWordBound;
 //   3. expansions, exact.
-// The second stage stands in place of Shewchuk's B and C: it costs the same whether or not the differences round.
+// The second stage stands in place of Shewchuk's B and C: it costs the same whether or not the differences
+// round.
 
 namespace quarry {
 namespace {
@@ -21,9 +23,9 @@ constexpr double kOrient3dBound = (7 + 56 * kUnit) * kUnit;
 constexpr double kIncircleBound = (10 + 96 * kUnit) * kUnit;
 
 // Differences are exact, a product adds 5 u^2 and a sum 3 u^2 of relative error to the permanent of its terms
-// (double_word.hpp). A 2x2 minor has 9 u^2 (rounded up, as all that follow); orient3d is 9 + 5 + 3 + 3, below 21 u^2;
-// incircle has lifts of 5 + 3, below 9 u^2, and is 9 + 9 + 5 + 3 + 3, below 30 u^2. 64 u^2 = 2^-100 leaves a factor
-// of two for the rounding of the permanent itself.
+// (double_word.hpp). A 2x2 minor has 9 u^2 (rounded up, as all that follow); orient3d is 9 + 5 + 3 + 3, below
+// 21 u^2; incircle has lifts of 5 + 3, below 9 u^2, and is 9 + 9 + 5 + 3 + 3, below 30 u^2. 64 u^2 = 2^-100
+// leaves a factor of two for the rounding of the permanent itself.
 constexpr double kDoubleWordBound = 0x1p-100;
 
 // The numbers that the later stages work with: exact differences, either as double-words or as expansions.
@@ -68,7 +70,9 @@ auto incircle_determinant(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
          (adx * bdy - bdx * ady) * (cdx * cdx + cdy * cdy);
 }
 
-bool certain(double determinant, double bound) { return std::abs(determinant) >= bound; }
+bool certain(double determinant, double bound) {
+  return std::abs(determinant) >= bound;
+}
 
 [[gnu::noinline]] double orient2d_slow(Vec2 a, Vec2 b, Vec2 c, double permanent) {
   const DoubleWord near = orient2d_determinant<DoubleWord>(a, b, c);
