@@ -36,15 +36,28 @@ function(quarry_library name)
   add_library(quarry::${name} ALIAS quarry_${name})
 endfunction()
 
-# One test program; each of its tests is known to ctest by its own name.
+# One test program; each of its tests is known to ctest by its own name. LABEL says when it runs:
+#   unit     (default) quick; also under the address and undefined behaviour sanitizers
+#   threads  the same, and under the thread sanitizer too: tests of code that runs in parallel
+#   jobs     whole jobs and long sweeps: in the release build only
+# The target tests_LABEL builds the programs of one label.
 function(quarry_test name)
-  cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;LINKS" ${ARGN})
+  cmake_parse_arguments(ARG "" "TIMEOUT;LABEL" "SOURCES;LINKS" ${ARGN})
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 300)
+  endif()
+  if(NOT ARG_LABEL)
+    set(ARG_LABEL unit)
+  elseif(NOT ARG_LABEL MATCHES "^(unit|threads|jobs)$")
+    message(FATAL_ERROR "${name}: LABEL is unit, threads or jobs, not ${ARG_LABEL}")
   endif()
   add_executable(${name} ${ARG_SOURCES})
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/tests")
   target_link_libraries(${name} PRIVATE quarry_options ${ARG_LINKS} GTest::gtest_main)
-  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST WORKING_DIRECTORY "${CMAKE_SOURCE_DIR}"
-                       PROPERTIES TIMEOUT ${ARG_TIMEOUT})
+  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 WORKING_DIRECTORY "${CMAKE_SOURCE_DIR}"
+                       PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS ${ARG_LABEL})
+  if(NOT TARGET tests_${ARG_LABEL})
+    add_custom_target(tests_${ARG_LABEL})
+  endif()
+  add_dependencies(tests_${ARG_LABEL} ${name})
 endfunction()

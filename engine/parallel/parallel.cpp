@@ -9,6 +9,13 @@
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
+#include "engine/parallel/loop_order.hpp"
+
+#ifdef QUARRY_THREAD_SANITIZER
+// What oneTBB does in its own library, such as freeing an exception, is not for the sanitizer to judge.
+extern "C" const char* __tsan_default_suppressions() { return "called_from_lib:libtbb.so\n"; }
+#endif
+
 namespace quarry::parallel {
 namespace {
 
@@ -27,7 +34,8 @@ void run_probed(std::size_t chunk, detail::ChunkBody body, std::thread::id calle
   const int sleep = probe().sleep_microseconds.load(std::memory_order_relaxed);
   if (sleep > 0) {
     probe().chunks.fetch_add(1, std::memory_order_relaxed);
-    if (std::this_thread::get_id() != caller) probe().chunks_of_others.fetch_add(1, std::memory_order_relaxed);
+    if (std::this_thread::get_id() != caller)
+      probe().chunks_of_others.fetch_add(1, std::memory_order_relaxed);
     std::this_thread::sleep_for(std::chrono::microseconds(sleep));
   }
   body(chunk);
@@ -43,8 +51,13 @@ void run_chunks(std::size_t chunk_count, ChunkBody body) {
     run_probed(0, body, caller);
     return;
   }
+  LoopOrder order;
   tbb::parallel_for(
-      std::size_t{0}, chunk_count, [&](std::size_t chunk) { run_probed(chunk, body, caller); },
+      std::size_t{0}, chunk_count,
+      [&](std::size_t chunk) {
+        const LoopOrder::Chunk inside(order);
+        run_probed(chunk, body, caller);
+      },
       tbb::simple_partitioner());
 }
 
@@ -53,7 +66,11 @@ void run_with_threads(int threads, ChunkBody body) {
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                   static_cast<std::size_t>(count));
   tbb::task_arena arena(count);
-  arena.execute([&] { body(0); });
+  LoopOrder order;
+  arena.execute([&] {
+    const LoopOrder::Chunk inside(order);
+    body(0);
+  });
 }
 
 }  // namespace detail

@@ -1,5 +1,5 @@
-// Parallel loops, ordered reductions and scans: the only folder that names oneTBB. Chunk borders are a function of
-// the work alone, so every result is the same on any number of threads, doubles included.
+// Parallel loops, ordered reductions and scans: the only folder that names oneTBB. Chunk borders are a
+// function of the work alone, so every result is the same on any number of threads, doubles included.
 #pragma once
 
 #include <algorithm>
@@ -68,8 +68,8 @@ T reduce_ordered(std::size_t size, T identity, Map&& map, Fold&& fold, std::size
   return total;
 }
 
-// Replaces each value by the sum of those before it and returns the sum of all. Integers only: a scan of doubles
-// would depend on where it was cut.
+// Replaces each value by the sum of those before it and returns the sum of all. Integers only: a scan of
+// doubles would depend on where it was cut.
 template <class Integer>
   requires std::is_integral_v<Integer>
 Integer exclusive_scan(std::span<Integer> values) {
@@ -85,8 +85,7 @@ Integer exclusive_scan(std::span<Integer> values) {
   for (Integer& sum : sums) total = static_cast<Integer>(total + std::exchange(sum, total));
   for_each_chunk(values.size(), kScanChunk, [&](std::size_t begin, std::size_t end) {
     Integer sum = sums[begin / kScanChunk];
-    for (std::size_t i = begin; i < end; ++i)
-      sum = static_cast<Integer>(sum + std::exchange(values[i], sum));
+    for (std::size_t i = begin; i < end; ++i) sum = static_cast<Integer>(sum + std::exchange(values[i], sum));
   });
   return total;
 }
@@ -109,8 +108,8 @@ std::vector<std::uint32_t> filter_indices(std::size_t size, Keep&& keep) {
   return kept;
 }
 
-// Runs job() with at most `threads` threads in every loop below it (0: as many as the machine has). More threads
-// than cores are really started, so that tests can compare 1, 2, 4 and 7.
+// Runs job() with at most `threads` threads in every loop below it (0: as many as the machine has). More
+// threads than cores are really started, so that tests can compare 1, 2, 4 and 7.
 template <class Job>
 void with_threads(int threads, Job&& job) {
   auto run = [&](std::size_t) { job(); };
@@ -119,8 +118,8 @@ void with_threads(int threads, Job&& job) {
 
 [[nodiscard]] int hardware_threads();
 
-// For tests that compare thread counts: while alive, each chunk of every loop sleeps, so that other threads take
-// part even on a loaded machine, and the chunks run by a thread other than the caller's are counted.
+// For tests that compare thread counts: while alive, each chunk of every loop sleeps, so that other threads
+// take part even on a loaded machine, and the chunks run by a thread other than the caller's are counted.
 class ParticipationProbe {
  public:
   explicit ParticipationProbe(int sleep_microseconds = 30);

@@ -19,7 +19,8 @@ constexpr std::size_t kSmall = 8192;
 void sort_small(std::vector<std::uint64_t>& keys, std::vector<std::uint32_t>& values) {
   std::vector<std::pair<std::uint64_t, std::uint32_t>> pairs(keys.size());
   for (std::size_t i = 0; i < keys.size(); ++i) pairs[i] = {keys[i], values[i]};
-  std::stable_sort(pairs.begin(), pairs.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::stable_sort(pairs.begin(), pairs.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
   for (std::size_t i = 0; i < keys.size(); ++i) std::tie(keys[i], values[i]) = pairs[i];
 }
 
