@@ -1,4 +1,4 @@
-// Axis-parallel boxes.
+// Axis-parallel boxes of the plane and of space. A new one is empty and holds nothing.
 #pragma once
 
 #include <algorithm>
@@ -24,8 +24,21 @@ struct Box2 {
   [[nodiscard]] bool contains(Vec2 p) const {
     return low.x <= p.x && p.x <= high.x && low.y <= p.y && p.y <= high.y;
   }
-  [[nodiscard]] Box2 grown(double by) const {
-    return {{low.x - by, low.y - by}, {high.x + by, high.y + by}};
+  [[nodiscard]] Box2 grown(double by) const { return {{low.x - by, low.y - by}, {high.x + by, high.y + by}}; }
+};
+
+struct Box3 {
+  Vec3 low{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
+           std::numeric_limits<double>::infinity()};
+  Vec3 high{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
+            -std::numeric_limits<double>::infinity()};
+
+  void extend(Vec3 p) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  [[nodiscard]] double longest_side() const {
+    return std::max({high.x - low.x, high.y - low.y, high.z - low.z});
   }
 };
 

@@ -28,9 +28,7 @@ constexpr DoubleWord fast_two_sum(double a, double b) {
 }
 
 // a - b exactly.
-constexpr DoubleWord two_difference(double a, double b) {
-  return two_sum(a, -b);
-}
+constexpr DoubleWord two_difference(double a, double b) { return two_sum(a, -b); }
 
 // a as the sum of two doubles of at most 26 bits each (Veltkamp).
 constexpr DoubleWord split(double a) {
@@ -49,9 +47,7 @@ constexpr DoubleWord two_product(double a, double b) {
   return {product, x.low * y.low - rest};
 }
 
-constexpr DoubleWord operator-(DoubleWord a) {
-  return {-a.high, -a.low};
-}
+constexpr DoubleWord operator-(DoubleWord a) { return {-a.high, -a.low}; }
 
 // With an error of at most 3 u^2 (|a| + |b|), u = 2^-53: the sum of the low parts is rounded once (u times at
 // most u (|a| + |b|)) and once more after the rounding error of the high parts joins it (u times at most
@@ -60,9 +56,7 @@ constexpr DoubleWord operator+(DoubleWord a, DoubleWord b) {
   const DoubleWord sum = two_sum(a.high, b.high);
   return two_sum(sum.high, sum.low + (a.low + b.low));
 }
-constexpr DoubleWord operator-(DoubleWord a, DoubleWord b) {
-  return a + (-b);
-}
+constexpr DoubleWord operator-(DoubleWord a, DoubleWord b) { return a + (-b); }
 
 // With an error of at most 5 u^2 |a b| (Joldes, Muller & Popescu 2017, algorithm DWTimesDW1).
 constexpr DoubleWord operator*(DoubleWord a, DoubleWord b) {

@@ -39,15 +39,13 @@ struct Expansion {
 
  private:
   void copy_terms(const Expansion& other) {
-    for (std::size_t i = 0; i < size; ++i)
-      terms[i] = other.terms[i];
+    for (std::size_t i = 0; i < size; ++i) terms[i] = other.terms[i];
   }
 };
 
 template <std::size_t N>
 Expansion<N> operator-(Expansion<N> a) {
-  for (std::size_t i = 0; i < a.size; ++i)
-    a.terms[i] = -a.terms[i];
+  for (std::size_t i = 0; i < a.size; ++i) a.terms[i] = -a.terms[i];
   return a;
 }
 

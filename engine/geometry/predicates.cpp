@@ -70,9 +70,7 @@ auto incircle_determinant(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
          (adx * bdy - bdx * ady) * (cdx * cdx + cdy * cdy);
 }
 
-bool certain(double determinant, double bound) {
-  return std::abs(determinant) >= bound;
-}
+bool certain(double determinant, double bound) { return std::abs(determinant) >= bound; }
 
 [[gnu::noinline]] double orient2d_slow(Vec2 a, Vec2 b, Vec2 c, double permanent) {
   const DoubleWord near = orient2d_determinant<DoubleWord>(a, b, c);
