@@ -1,6 +1,7 @@
 #include "io/atomic_file.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
@@ -75,6 +76,18 @@ void AtomicFile::flush() {
     left -= static_cast<std::size_t>(written);
   }
   buffer_.clear();
+}
+
+void AtomicFile::overwrite(std::size_t offset, std::span<const std::byte> bytes) {
+  assert(offset + bytes.size() <= size_);
+  flush();
+  while (!bytes.empty()) {
+    const ssize_t written = ::pwrite(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(offset));
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) fail("cannot be written");
+    bytes = bytes.subspan(static_cast<std::size_t>(written));
+    offset += static_cast<std::size_t>(written);
+  }
 }
 
 void AtomicFile::commit() {

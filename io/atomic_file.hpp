@@ -20,6 +20,9 @@ class AtomicFile {
 
   void write(std::span<const std::byte> bytes);
   void write(std::string_view text);
+  // Replaces bytes written before, from `offset` on: for tables whose content is known only once what follows
+  // them has been written.
+  void overwrite(std::size_t offset, std::span<const std::byte> bytes);
   // Flushes, closes and renames. Nothing may be written afterwards.
   void commit();
 

@@ -1,0 +1,64 @@
+// What every mesh format has in common: what is written beside the mesh, and how the data of a finished
+// planar mesh are named.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/mesh/mesh.hpp"
+
+namespace quarry {
+
+// A name and a text that describe the whole mesh: version, hash of the input, options.
+struct FieldText {
+  std::string name;
+  std::string text;
+
+  friend bool operator==(const FieldText&, const FieldText&) = default;
+};
+
+struct MeshWriteOptions {
+  // Where the format has a place for them.
+  std::vector<FieldText> fields;
+  // One value for each face slot; empty: not written. Formats without cell data leave them out.
+  std::span<const double> scaled_jacobian;
+  // zlib, where the format knows it. The bytes do not depend on the number of threads.
+  bool compress = false;
+};
+
+// Values of the edge tag "kind".
+inline constexpr std::int32_t kInteriorConstraint = 1;
+inline constexpr std::int32_t kOuterBoundary = 2;
+
+// The tags of a finished mesh; a mesh that lacks one reads as if it had the plainest value everywhere.
+class MeshFileTags {
+ public:
+  explicit MeshFileTags(const Mesh& mesh)
+      : mesh_(&mesh),
+        region_(mesh.find_tag<FaceId, std::int32_t>("region")),
+        constraint_(mesh.find_tag<EdgeId, std::int32_t>("constraint")),
+        kind_(mesh.find_tag<EdgeId, std::int32_t>("kind")) {}
+
+  // Number of the enclosed region; 0 without the tag.
+  [[nodiscard]] std::int32_t region(FaceId f) const { return region_.valid() ? region_[f] : 0; }
+  // Number of the input line, or -1.
+  [[nodiscard]] std::int32_t constraint(EdgeId e) const { return constraint_.valid() ? constraint_[e] : -1; }
+  // kOuterBoundary for an edge with one face, else kInteriorConstraint.
+  [[nodiscard]] std::int32_t kind(EdgeId e) const { return kind_.valid() ? kind_[e] : find_kind(e); }
+
+ private:
+  [[nodiscard]] std::int32_t find_kind(EdgeId e) const {
+    const auto [a, b] = mesh_->edge_ends(e);
+    return mesh_->find_side(a, b).valid() && mesh_->find_side(b, a).valid() ? kInteriorConstraint
+                                                                            : kOuterBoundary;
+  }
+
+  const Mesh* mesh_;
+  Tag<FaceId, std::int32_t> region_;
+  Tag<EdgeId, std::int32_t> constraint_;
+  Tag<EdgeId, std::int32_t> kind_;
+};
+
+}  // namespace quarry
