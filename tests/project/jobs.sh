@@ -1,0 +1,64 @@
+#!/usr/bin/env bash
+# jobs.sh QUARRY: small whole jobs of the command, as a user runs them: exit codes, messages, the same bytes on any
+# number of threads, and no file touched by a job that failed.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+readonly QUARRY=$1 SECTION=tests/data/demo_section.geojson
+OUT=$(mktemp -d)
+readonly OUT
+trap 'rm -rf "$OUT"' EXIT
+passed=0 failed=0
+
+# expect NAME CODE COMMAND...: the command ends with that exit code within five minutes.
+expect() {
+  local name=$1 code=$2 got=0
+  shift 2
+  timeout 300 "$@" > "$OUT/stdout" 2> "$OUT/stderr" < /dev/null || got=$?
+  if ((got == code)); then
+    passed=$((passed + 1))
+  else
+    failed=$((failed + 1))
+    printf 'FAILED %s: exit code %s, not %s\n' "$name" "$got" "$code"
+    tail -n 5 "$OUT/stdout" "$OUT/stderr"
+  fi
+}
+
+# refuses NAME CODE ARGUMENTS...: `quarry mesh` says why in one line and leaves the output that was there as it was.
+refuses() {
+  local name=$1 code=$2
+  shift 2
+  printf 'kept' > "$OUT/kept.vtu"
+  expect "$name" "$code" "$QUARRY" mesh "$@" -o "$OUT/kept.vtu"
+  expect "$name: one line" 0 test "$(wc -l < "$OUT/stderr")" -eq 1
+  expect "$name: output untouched" 0 test "$(cat "$OUT/kept.vtu")" = kept
+}
+
+expect "version" 0 "$QUARRY" --version
+expect "help" 0 "$QUARRY" mesh --help
+
+for threads in 1 2 4 7; do
+  expect "mesh on $threads threads" 0 "$QUARRY" mesh "$SECTION" -o "$OUT/$threads.vtu" --size 12 --threads "$threads" \
+    --report "$OUT/$threads.json" --quiet
+  expect "the same bytes on $threads threads" 0 cmp "$OUT/1.vtu" "$OUT/$threads.vtu"
+done
+expect "the report is JSON" 0 python3 -m json.tool "$OUT/1.json"
+expect "triangles" 0 "$QUARRY" mesh "$SECTION" -o "$OUT/triangles.vtu" --size 12 --elements tri --quiet
+expect "Gmsh's format" 0 "$QUARRY" mesh "$SECTION" -o "$OUT/section.msh" --size 12 --quiet
+expect "clean" 0 "$QUARRY" clean "$SECTION" -o "$OUT/clean.geojson" --snap 0.5
+expect "the cleaned lines are JSON" 0 python3 -m json.tool "$OUT/clean.geojson"
+expect "quality" 0 "$QUARRY" quality "$OUT/1.vtu" --json
+expect "quality prints JSON" 0 python3 -m json.tool "$OUT/stdout"
+expect "picture" 0 "$QUARRY" picture "$OUT/1.vtu" -o "$OUT/section.svg"
+
+printf '{"type": "FeatureCollection", "features": [' > "$OUT/broken.geojson"
+printf '' > "$OUT/empty.geojson"
+refuses "a file that is not there" 3 "$OUT/none.geojson" --size 12
+refuses "broken JSON" 3 "$OUT/broken.geojson" --size 12
+refuses "an empty file" 3 "$OUT/empty.geojson" --size 12
+refuses "a size of 0" 2 "$SECTION" --size 0
+refuses "a size that is no number" 2 "$SECTION" --size wide
+expect "an unknown command" 2 "$QUARRY" melt "$SECTION"
+expect "an output that cannot be written" 7 "$QUARRY" mesh "$SECTION" -o "$OUT/no/folder/out.vtu" --size 12 --quiet
+
+printf '%s passed, %s failed\n' "$passed" "$failed"
+((failed == 0))
