@@ -52,8 +52,9 @@ class MeshBuilder {
     sides.reserve(mesh.corners_.size());
     for (std::uint32_t i = 0; i < mesh.corners_.size(); ++i) {
       if (!mesh.corners_[i].valid()) continue;
-      const auto [low, high] = std::minmax(mesh.origin(SideId(i)), mesh.target(SideId(i)));
-      keys.push_back((std::uint64_t{low.value()} << 32) | high.value());
+      const std::uint32_t a = mesh.origin(SideId(i)).value();
+      const std::uint32_t b = mesh.target(SideId(i)).value();
+      keys.push_back((std::uint64_t{std::min(a, b)} << 32) | std::max(a, b));
       sides.push_back(i);
     }
     parallel::stable_sort_by_key(keys, sides);

@@ -1,0 +1,23 @@
+#include "kernels/deferred/attraction.hpp"
+
+#include "kernels/local/star.hpp"
+
+namespace quarry::deferred {
+
+Attraction measure_attraction(const Mesh& mesh, VertexId v, Vec2 p) {
+  Attraction result;
+  const double after = star_quality(mesh, v, p);
+  if (after <= 0) return result;
+  result.vertex = v;
+  result.target = p;
+  result.after = after;
+  result.before = star_quality(mesh, v, mesh.point(v));
+  return result;
+}
+
+bool acceptable(const Attraction& attraction, double quality_limit, double distortion_limit) {
+  return attraction.vertex.valid() && attraction.after >= quality_limit &&
+         attraction.distortion() <= distortion_limit;
+}
+
+}  // namespace quarry::deferred

@@ -1,0 +1,128 @@
+#include "kernels/deferred/insert_nodes.hpp"
+
+#include <algorithm>
+
+#include "kernels/deferred/locate.hpp"
+#include "kernels/deferred/refine.hpp"
+#include "kernels/deferred/smooth_star.hpp"
+#include "kernels/local/split.hpp"
+#include "kernels/local/star.hpp"
+
+namespace quarry::deferred {
+
+bool NodeInsertion::propose(const Mesh& mesh, NodeId node, Cavity& cavity, Plan& plan) const {
+  const Vec2 p = state_.lines.nodes[node];
+  const Location location = locate(mesh, state_.near_node[node], p);
+  plan.vertex = mesh.origin(location.side);
+  plan.fallback = false;
+  if (location.place == Place::kOutside) {
+    plan.step = Step::kConflict;
+    cavity.claim(plan.vertex);
+    return true;
+  }
+  if (location.place == Place::kVertex) return propose_take(mesh, mesh.origin(location.side), cavity, plan);
+
+  const FaceId face = location.side.face();
+  Attraction best;
+  for (int k = 0; k < 3; ++k) {
+    const VertexId v = mesh.corner(face, k);
+    if (!state_.tags.support[v].is_free() || mesh.on_boundary(v)) continue;
+    const Attraction attraction = measure_attraction(mesh, v, p);
+    if (attraction.better_than(best)) best = attraction;
+  }
+  const std::uint32_t tries = state_.node_tries[node];
+  const double quality = state_.quality_limit(state_.options.min_quality, tries);
+  if (acceptable(best, quality, state_.distortion_limit(tries))) return propose_attract(mesh, best, cavity, plan);
+  if (tries < state_.options.max_tries && propose_refine(mesh, face, cavity, plan)) return true;
+  return propose_fallback(mesh, node, location.side, location.place == Place::kEdge, best, cavity, plan);
+}
+
+bool NodeInsertion::propose_take(const Mesh& mesh, VertexId v, Cavity& cavity, Plan& plan) const {
+  const Support support = state_.tags.support[v];
+  plan.step = support.is_node() || support.slides() ? Step::kConflict : Step::kTake;
+  plan.vertex = v;
+  claim_star(mesh, v, cavity);
+  return true;
+}
+
+bool NodeInsertion::propose_attract(const Mesh& mesh, const Attraction& best, Cavity& cavity, Plan& plan) const {
+  plan.step = Step::kAttract;
+  plan.vertex = best.vertex;
+  claim_two_rings(mesh, best.vertex, cavity);
+  return true;
+}
+
+bool NodeInsertion::propose_refine(const Mesh& mesh, FaceId face, Cavity& cavity, Plan& plan) const {
+  const SideId longest = longest_side(mesh, face);
+  const double floor2 = state_.floor_length * state_.floor_length;
+  if (squared_length(mesh.point(mesh.target(longest)) - mesh.point(mesh.origin(longest))) < floor2) return false;
+  const SideId side = edge_to_split_first(mesh, state_, longest);
+  const Vec2 m = split_point(mesh, side);
+  if (!can_split_edge(mesh, side, m)) return false;
+  plan.step = Step::kRefine;
+  plan.side = side;
+  plan.point = m;
+  plan.support = support_on_edge(mesh, state_, side);
+  claim_split_edge(mesh, side, cavity);
+  return true;
+}
+
+// A free corner may still do; else the face or edge that holds the node is split there, which is always possible:
+// the node lies strictly inside the one or the other.
+bool NodeInsertion::propose_fallback(const Mesh& mesh, NodeId node, SideId side, bool on_edge, const Attraction& best,
+                                     Cavity& cavity, Plan& plan) const {
+  plan.fallback = true;
+  if (best.vertex.valid() && best.after > 0.02 && best.after > 0.2 * best.before)
+    return propose_attract(mesh, best, cavity, plan);
+  plan.point = state_.lines.nodes[node];
+  plan.support = Support::at(node);
+  plan.side = side;
+  if (!on_edge) {
+    plan.step = Step::kSplitFace;
+    claim_split_face(mesh, side.face(), cavity);
+    return true;
+  }
+  plan.step = state_.tags.constrained(side) ? Step::kConflict : Step::kSplitEdge;
+  claim_split_edge(mesh, side, cavity);
+  if (plan.step == Step::kConflict) cavity.will_create(0, 0);
+  return true;
+}
+
+void NodeInsertion::apply(MeshEditor& editor, NodeId node, const Plan& plan, NewIds ids,
+                          FollowUps<NodeId>& follow_ups) const {
+  Events& events = state_.node_events[node];
+  if (plan.fallback) ++events.fallbacks;
+  switch (plan.step) {
+    case Step::kConflict:
+      state_.near_node[node] = plan.vertex;
+      return;
+    case Step::kTake:
+      ++events.taken;
+      editor.set(state_.tags.support, plan.vertex, Support::at(node));
+      state_.vertex_of_node[node] = plan.vertex;
+      return;
+    case Step::kAttract:
+      ++events.attractions;
+      editor.set_point(plan.vertex, state_.lines.nodes[node]);
+      editor.set(state_.tags.support, plan.vertex, Support::at(node));
+      state_.vertex_of_node[node] = plan.vertex;
+      smooth_star(editor, state_, plan.vertex);
+      return;
+    case Step::kRefine:
+      ++events.splits;
+      events.most_tries = std::max(events.most_tries, ++state_.node_tries[node]);
+      state_.near_node[node] = plan.vertex;
+      split_edge(editor, state_.tags, plan.side, plan.point, plan.support, ids);
+      follow_ups.push_back(node);
+      return;
+    case Step::kSplitFace:
+      state_.vertex_of_node[node] =
+          split_face(editor, state_.tags, plan.side.face(), plan.point, plan.support, ids);
+      return;
+    case Step::kSplitEdge:
+      state_.vertex_of_node[node] = split_edge(editor, state_.tags, plan.side, plan.point, plan.support, ids);
+      return;
+  }
+}
+
+}  // namespace quarry::deferred

@@ -1,0 +1,70 @@
+#include "kernels/deferred/smooth_star.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "kernels/local/star.hpp"
+
+namespace quarry::deferred {
+namespace {
+
+// The mean of the link, weighted as the options say.
+Vec2 mean_of_link(const MeshEditor& editor, const State& state, VertexId v) {
+  const Vec2 here = editor.point(v);
+  Vec2 sum;
+  double weights = 0;
+  for_each_link_vertex(editor.mesh(), v, [&](VertexId u) {
+    const Vec2 d = editor.point(u) - here;
+    const double weight = state.options.inverse_length_weights ? 1 / length(d) : 1;
+    sum = sum + weight * d;
+    weights += weight;
+  });
+  return here + (1 / weights) * sum;
+}
+
+// The point of a piece nearest to p, constructed from the end that it is nearer to.
+Vec2 point_on_piece(const State& state, PieceId piece, Vec2 p) {
+  const Vec2 a = state.from(piece);
+  const Vec2 d = state.to(piece) - a;
+  const double t = std::clamp(dot(p - a, d) / squared_length(d), 0.0, 1.0);
+  return a + t * d;
+}
+
+bool try_move(MeshEditor& editor, const State& state, VertexId v, Vec2 p, double before) {
+  const double after = star_quality(editor.mesh(), v, p);
+  if (after <= 0 || after < (state.options.guard_star_minimum ? before : state.options.min_quality)) return false;
+  editor.set_point(v, p);
+  return true;
+}
+
+// True if the vertex moved by more than a small share of the spacing.
+bool smooth_vertex(MeshEditor& editor, const State& state, VertexId v) {
+  const Support support = editor.get(state.tags.support, v);
+  if (support.is_fixed()) return false;
+  const Vec2 here = editor.point(v);
+  Vec2 p = mean_of_link(editor, state, v);
+  if (support.slides()) p = point_on_piece(state, support.piece(), p);
+  const double enough = 1e-3 * state.options.spacing;
+  if (squared_length(p - here) < enough * enough) return false;
+  const double before = star_quality(editor.mesh(), v, here);
+  if (try_move(editor, state, v, p, before)) return true;
+  p = midpoint(here, p);
+  if (support.slides()) p = point_on_piece(state, support.piece(), p);
+  return try_move(editor, state, v, p, before);
+}
+
+}  // namespace
+
+void smooth_star(MeshEditor& editor, const State& state, VertexId v) {
+  std::vector<VertexId> vertices{v};
+  for_each_link_vertex(editor.mesh(), v, [&](VertexId u) {
+    if (!editor.mesh().on_boundary(u)) vertices.push_back(u);
+  });
+  for (std::uint32_t sweep = 0; sweep < state.options.sweeps; ++sweep) {
+    bool moved = false;
+    for (const VertexId u : vertices) moved = smooth_vertex(editor, state, u) || moved;
+    if (!moved) return;
+  }
+}
+
+}  // namespace quarry::deferred

@@ -1,0 +1,170 @@
+#include "kernels/deferred/deferred.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "engine/base/error.hpp"
+#include "engine/mesh/validate.hpp"
+#include "engine/parallel/parallel.hpp"
+#include "kernels/initial/crisscross.hpp"
+#include "tests/support/noded_lines.hpp"
+
+namespace quarry {
+namespace {
+
+struct Outcome {
+  Mesh mesh;
+  InsertedLines inserted;
+  DeferredReport report;
+};
+
+Outcome insert(const NodedLines& lines, const Box2& box, DeferredOptions options) {
+  Outcome outcome;
+  outcome.mesh = make_crisscross(box, {.cell = options.spacing, .angle_degrees = 0});
+  auto tags = ConstraintTags::add_to(outcome.mesh);
+  for (const VertexId v : outcome.mesh.vertices())
+    if (outcome.mesh.on_boundary(v)) tags.support[v] = Support::fixed();
+  outcome.inserted = insert_lines(outcome.mesh, lines, options, outcome.report, Progress());
+  return outcome;
+}
+
+// Walks each piece along constrained edges from its first node to its last; "" or what is wrong.
+std::string check_chains(const Outcome& outcome, const NodedLines& lines, double tolerance) {
+  const auto tags = ConstraintTags::of(outcome.mesh);
+  const Mesh& mesh = outcome.mesh;
+  for (const PieceId id : IdRange<PieceId>(lines.pieces.size())) {
+    const Piece& piece = lines.pieces[id];
+    VertexId v = outcome.inserted.vertex_of_node[piece.from];
+    const VertexId end = outcome.inserted.vertex_of_node[piece.to];
+    if (mesh.point(v) != lines.nodes[piece.from]) return "a node lost its bits";
+    const Vec2 a = lines.nodes[piece.from];
+    const Vec2 d = lines.nodes[piece.to] - a;
+    for (std::size_t steps = 0; v != end; ++steps) {
+      VertexId next;
+      for_each_side_around(mesh, v, [&](SideId s) {
+        const VertexId u = mesh.target(s);
+        const Vec2 r = mesh.point(u) - a;
+        const bool ahead = dot(mesh.point(u) - mesh.point(v), d) > 0;
+        const bool mine = u == end || tags.support[u] == Support::on(id);
+        if (tags.constrained(s) && ahead && mine && std::abs(cross(r, d)) <= tolerance * length(d)) next = u;
+      });
+      if (!next.valid() || steps > mesh.vertex_slots()) return "piece " + std::to_string(id.value()) + " is no chain";
+      v = next;
+    }
+  }
+  return {};
+}
+
+DeferredOptions with_spacing(double spacing) {
+  DeferredOptions options;
+  options.spacing = spacing;
+  return options;
+}
+
+struct Case {
+  std::string name;
+  NodedLines lines;
+};
+
+std::vector<Case> hard_cases() {
+  std::vector<Case> cases;
+  const Vec2 center{50.3, 49.8};
+  cases.push_back({"star of 8", test::star(center, 40, 8)});
+  cases.push_back({"star of 64", test::star(center, 40, 64)});
+  cases.push_back({"star of 360", test::star(center, 40, 360)});
+  cases.push_back({"wedge of 0.05 degrees", test::star(center, 40, 2, 2 * 0.05 * std::numbers::pi / 180)});
+  for (const double gap : {0.1, 0.01, 0.001})
+    for (const double angle : {0.0, 0.3})
+      cases.push_back({"comb at " + std::to_string(gap), test::comb({20.2, 30.1}, 50, gap, 10, angle)});
+  cases.push_back({"lines along mesh edges", [] {
+                     test::NodedLinesBuilder builder;
+                     builder.polyline({{10, 10}, {90, 10}, {90, 90}, {10, 90}, {10, 10}});
+                     builder.polyline({{20, 20}, {60, 60}, {80, 40}});
+                     return builder.finish();
+                   }()});
+  cases.push_back({"lines through every second vertex", [] {
+                     test::NodedLinesBuilder builder;
+                     builder.piece({10, 12}, {70, 42});
+                     builder.piece({11, 50}, {11, 90});
+                     return builder.finish();
+                   }()});
+  cases.push_back({"a tiny triangle far smaller than the mesh", [] {
+                     test::NodedLinesBuilder builder;
+                     builder.polyline({{33.3, 33.3}, {33.301, 33.3}, {33.3, 33.301}, {33.3, 33.3}});
+                     return builder.finish();
+                   }()});
+  return cases;
+}
+
+const Box2 kBox{{0, 0}, {100, 100}};
+
+TEST(InsertLines, MakesEveryHardCaseAValidMeshWithEachPieceAChain) {
+  for (const Case& hard : hard_cases()) {
+    SCOPED_TRACE(hard.name);
+    const Outcome outcome = insert(hard.lines, kBox, with_spacing(2));
+    EXPECT_EQ(validate(outcome.mesh, GeometryCheck::kPlanarCorners), "");
+    EXPECT_EQ(check_chains(outcome, hard.lines, 1e-9), "");
+    EXPECT_LT(outcome.mesh.face_slots(), 400'000U);
+    if (std::getenv("QUARRY_TEST_VERBOSE") != nullptr)
+      std::printf("%-40s faces %zu fallbacks %lu rebuilt %lu splits %lu flips %lu attractions %lu rounds %lu + %lu\n",
+                  hard.name.c_str(), outcome.mesh.face_slots(), outcome.report.fallbacks, outcome.report.rebuilt,
+                  outcome.report.splits, outcome.report.flips, outcome.report.attractions,
+                  outcome.report.nodes.rounds, outcome.report.pieces.rounds);
+  }
+}
+
+TEST(InsertLines, PaperPresetKeepsTheSameGuarantees) {
+  for (const Case& hard : hard_cases()) {
+    SCOPED_TRACE(hard.name);
+    const Outcome outcome = insert(hard.lines, kBox, paper_options(2));
+    EXPECT_EQ(validate(outcome.mesh, GeometryCheck::kPlanarCorners), "");
+    EXPECT_EQ(check_chains(outcome, hard.lines, 1e-9), "");
+  }
+}
+
+TEST(InsertLines, RandomSoupsGiveTheSameValidMeshOnAnyNumberOfThreads) {
+  for (const std::uint64_t seed : {1ULL, 2ULL, 3ULL, 4ULL}) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    // Odd seeds lie at map coordinates of seven digits.
+    const Vec2 origin = seed % 2 == 1 ? Vec2{465'000.25, 6'691'000.75} : Vec2{0, 0};
+    const NodedLines lines = test::random_segments(seed, 400, 100, 0.05, origin);
+    const Box2 box{origin, {origin.x + 100, origin.y + 100}};
+    const Outcome serial = insert(lines, box, with_spacing(1));
+    EXPECT_EQ(validate(serial.mesh, GeometryCheck::kPlanarCorners), "");
+    EXPECT_EQ(check_chains(serial, lines, 1e-8), "");
+    for (const int threads : {1, 2, 4, 7}) {
+      const parallel::ParticipationProbe probe(20);
+      parallel::with_threads(threads, [&] {
+        const Outcome other = insert(lines, box, with_spacing(1));
+        EXPECT_EQ(other.mesh.xs(), serial.mesh.xs()) << threads;
+        EXPECT_EQ(other.mesh.ys(), serial.mesh.ys()) << threads;
+      });
+      if (threads > 1) { EXPECT_GT(probe.chunks_of_other_threads(), 0U); }
+    }
+  }
+}
+
+TEST(InsertLines, NamesThePlaceWhereTwoPiecesCross) {
+  test::NodedLinesBuilder builder;
+  builder.piece({10, 10}, {90, 90});
+  builder.piece({10, 90}, {90, 10});
+  try {
+    (void)insert(builder.finish(), kBox, with_spacing(2));
+    FAIL() << "crossing pieces were accepted";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::kGeometry);
+    EXPECT_NE(error.message().find("clean the lines"), std::string::npos);
+  }
+}
+
+TEST(InsertLines, RefusesAPointOutsideTheMesh) {
+  test::NodedLinesBuilder builder;
+  builder.piece({10, 10}, {190, 90});
+  EXPECT_THROW((void)insert(builder.finish(), kBox, with_spacing(2)), Error);
+}
+
+}  // namespace
+}  // namespace quarry
