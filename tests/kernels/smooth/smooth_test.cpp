@@ -1,0 +1,161 @@
+#include <algorithm>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "engine/geometry/segment.hpp"
+#include "engine/mesh/validate.hpp"
+#include "engine/parallel/parallel.hpp"
+#include "kernels/cluster/merge.hpp"
+#include "kernels/cluster/subdivide.hpp"
+#include "kernels/quality/face.hpp"
+#include "kernels/smooth/laplacian.hpp"
+#include "kernels/smooth/optimise.hpp"
+#include "kernels/smooth/star.hpp"
+#include "tests/support/synthetic_mesh.hpp"
+
+namespace quarry {
+namespace {
+
+struct QuadsWithLines {
+  Mesh mesh;
+  NodedLines lines;
+};
+
+QuadsWithLines make_quads(const test::SyntheticOptions& options) {
+  test::SyntheticMesh made = test::make_synthetic(options);
+  PairingReport paired;
+  const Pairing pairing = pair_triangles(made.mesh, made.tags, {}, paired, Progress());
+  SubdivideReport report;
+  Mesh quads = subdivide(merge_pairs(std::move(made.mesh), pairing), made.lines, report, Progress());
+  return {std::move(quads), std::move(made.lines)};
+}
+
+double mean_scaled_jacobian(const Mesh& mesh) {
+  double sum = 0;
+  for (const FaceId f : mesh.faces()) sum += scaled_jacobian(mesh, f);
+  return sum / static_cast<double>(mesh.face_slots());
+}
+
+// The worst face of the mesh, by the measure that guards the moves.
+double worst_measure(const Mesh& mesh) {
+  double worst = 1;
+  Star star;
+  for (const VertexId v : mesh.vertices()) {
+    star.gather(mesh, v);
+    worst = std::min(worst, star.worst({}, -2));
+  }
+  return worst;
+}
+
+class SmoothingOf : public testing::TestWithParam<std::uint64_t> {
+ protected:
+  SmoothingOf() : quads_(make_quads({.seed = GetParam(), .slivers = GetParam() % 3 == 0 ? 0.02 : 0})) {}
+  void smooth() {
+    smooth_laplacian(quads_.mesh, quads_.lines, {}, Progress());
+    optimise_corners(quads_.mesh, quads_.lines, {}, Progress());
+  }
+  QuadsWithLines quads_;
+};
+
+TEST_P(SmoothingOf, QuadsImprovesTheMeanAndNeverTheWorstFaceForTheWorse) {
+  const double mean = mean_scaled_jacobian(quads_.mesh);
+  const double worst = worst_measure(quads_.mesh);
+  smooth();
+  EXPECT_EQ(validate(quads_.mesh, GeometryCheck::kPlanarCorners), "");
+  EXPECT_GT(mean_scaled_jacobian(quads_.mesh), mean);
+  EXPECT_GE(worst_measure(quads_.mesh), worst);
+}
+
+TEST_P(SmoothingOf, QuadsKeepsTheBitsOfFrozenVerticesAndSlidersOnTheirPieces) {
+  const ConstraintTags tags = ConstraintTags::of(quads_.mesh);
+  const std::vector<double> x = quads_.mesh.xs();
+  const std::vector<double> y = quads_.mesh.ys();
+  smooth();
+  const double ulp = std::numeric_limits<double>::epsilon() * 6.8e6;
+  std::size_t slid = 0;
+  for (const VertexId v : quads_.mesh.vertices()) {
+    const Vec2 before{x[v.value()], y[v.value()]};
+    if (tags.support[v].is_fixed()) {
+      EXPECT_EQ(quads_.mesh.point(v), before);
+    }
+    if (!tags.support[v].slides()) continue;
+    slid += quads_.mesh.point(v) == before ? 0 : 1;
+    const Piece& piece = quads_.lines.pieces[tags.support[v].piece()];
+    EXPECT_LE(
+        squared_distance(quads_.mesh.point(v), quads_.lines.nodes[piece.from], quads_.lines.nodes[piece.to]),
+        ulp * ulp);
+  }
+  EXPECT_GT(slid, 0U);
+}
+
+TEST_P(SmoothingOf, TrianglesImprovesTheMeanAndNeverTheWorstFaceForTheWorse) {
+  test::SyntheticMesh made = test::make_synthetic({.seed = GetParam()});
+  const double mean = mean_scaled_jacobian(made.mesh);
+  const double worst = worst_measure(made.mesh);
+  smooth_laplacian(made.mesh, made.lines, {}, Progress());
+  EXPECT_EQ(validate(made.mesh, GeometryCheck::kPlanarCorners), "");
+  EXPECT_GT(mean_scaled_jacobian(made.mesh), mean);
+  EXPECT_GE(worst_measure(made.mesh), worst);
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, SmoothingOf, testing::Range<std::uint64_t>(1, 13));
+
+TEST(Smoothing, GivesTheSameBitsOnAnyNumberOfThreads) {
+  std::vector<double> x, y;
+  for (const int threads : {1, 2, 4, 7}) {
+    parallel::with_threads(threads, [&] {
+      QuadsWithLines quads = make_quads({.columns = 60, .rows = 40, .seed = 3});
+      const parallel::ParticipationProbe probe;
+      smooth_laplacian(quads.mesh, quads.lines, {}, Progress());
+      optimise_corners(quads.mesh, quads.lines, {}, Progress());
+      if (threads == 1) {
+        x = quads.mesh.xs();
+        y = quads.mesh.ys();
+        return;
+      }
+      EXPECT_GT(probe.chunks_of_other_threads(), 0U);
+      EXPECT_EQ(quads.mesh.xs(), x);
+      EXPECT_EQ(quads.mesh.ys(), y);
+    });
+  }
+}
+
+TEST(Smoothing, LooksOnceAtARegularMesh) {
+  QuadsWithLines quads = make_quads({.jitter = 0, .flip_share = 0, .straight_lines = 0, .crooked_lines = 0});
+  EXPECT_EQ(smooth_laplacian(quads.mesh, quads.lines, {}, Progress()).visited, 0U);
+  EXPECT_EQ(optimise_corners(quads.mesh, quads.lines, {}, Progress()).visited, 0U);
+}
+
+TEST(Smoothing, NeverLowersTheWorstFaceOfAnyStarByOneMove) {
+  // One vertex free at a time: its star is the only one that may change.
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    QuadsWithLines quads = make_quads({.columns = 8, .rows = 8, .seed = seed});
+    ConstraintTags tags = ConstraintTags::of(quads.mesh);
+    const std::vector<Support> support = tags.support.values().raw();
+    Star star;
+    for (const VertexId v : quads.mesh.vertices()) {
+      for (Support& other : tags.support.values()) other = Support::fixed();
+      tags.support[v] = support[v.value()];
+      star.gather(quads.mesh, v);
+      const double before = star.worst({}, -2);
+      smooth_laplacian(quads.mesh, quads.lines, {.sweeps = 1}, Progress());
+      optimise_corners(quads.mesh, quads.lines, {.sweeps = 1, .target = 1}, Progress());
+      star.gather(quads.mesh, v);
+      EXPECT_GE(star.worst({}, -2), before);
+    }
+  }
+}
+
+TEST(Star, CountsAShrunkenEdgeAgainstAQuadOfRightAngles) {
+  // A rectangle 8 times as long as wide has corners of 90 degrees: the aspect guard halves its measure.
+  const std::vector<FaceCorners> faces = {{VertexId(0U), VertexId(1U), VertexId(2U), VertexId(3U)}};
+  const Mesh mesh = build_mesh({0, 8, 8, 0}, {0, 0, 1, 1}, faces);
+  Star star;
+  star.gather(mesh, VertexId(0U));
+  EXPECT_DOUBLE_EQ(star.worst({}, -2), 0.25);
+}
+
+}  // namespace
+}  // namespace quarry
