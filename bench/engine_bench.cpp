@@ -56,12 +56,14 @@ std::vector<Vec2> map_points(std::size_t size) {
   return points;
 }
 
-// Points on one line whose coordinates are rounded: the filter seldom decides.
+// Any three that follow each other are collinear but for some units in the last place: the filter cannot
+// decide.
 std::vector<Vec2> nearly_collinear_points(std::size_t size) {
   std::vector<Vec2> points(size);
   for (std::size_t i = 0; i < size; ++i) {
-    const double t = 200 * uniform01(3, i);
-    points[i] = {466000 + t, 6691000 + t / 3};
+    const double off = 0x1p-53;
+    const Vec2 near_half{0.5 + 64 * off * uniform01(3, i), 0.5 + 64 * off * uniform01(4, i)};
+    points[i] = i % 3 == 0 ? near_half : i % 3 == 1 ? Vec2{12, 12} : Vec2{24, 24};
   }
   return points;
 }
