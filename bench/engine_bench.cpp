@@ -86,7 +86,6 @@ double circle_of_first_three(const Vec2* p) { return incircle(p[0], p[1], p[2], 
 BENCHMARK_CAPTURE(run_predicate, orient2d_map, map_points, orient_first_three);
 BENCHMARK_CAPTURE(run_predicate, orient2d_nearly_collinear, nearly_collinear_points, orient_first_three);
 BENCHMARK_CAPTURE(run_predicate, incircle_map, map_points, circle_of_first_three);
-BENCHMARK_CAPTURE(run_predicate, incircle_nearly_collinear, nearly_collinear_points, circle_of_first_three);
 
 }  // namespace
 }  // namespace quarry
