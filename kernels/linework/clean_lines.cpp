@@ -1,0 +1,204 @@
+#include "kernels/linework/clean_lines.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "engine/base/error.hpp"
+#include "engine/geometry/hilbert.hpp"
+#include "engine/parallel/sort.hpp"
+#include "kernels/linework/domain.hpp"
+#include "kernels/linework/ledger.hpp"
+#include "kernels/linework/noding.hpp"
+#include "kernels/linework/path_network.hpp"
+#include "kernels/linework/thinning.hpp"
+
+namespace quarry {
+namespace {
+
+using linework::Edge;
+using linework::Path;
+using linework::PathNetwork;
+using linework::RawLine;
+
+void require_usable(const CleanOptions& options) {
+  for (const double value : {options.snap, options.min_edge, options.tolerance})
+    if (!std::isfinite(value) || value < 0)
+      throw Error(
+          ErrorKind::kUsage,
+          fmt::format("snap {}, min-edge {} and tolerance {} must be lengths: finite and not negative",
+                      options.snap, options.min_edge, options.tolerance));
+}
+
+double largest_coordinate(const LineSet& lines, const Outline& outline) {
+  double largest = 0;
+  const auto look_at = [&](const std::vector<Vec2>& points) {
+    for (const Vec2 p : points) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
+  };
+  for (const InputLine& line : lines.lines) look_at(line.points);
+  for (const OutlineRing& ring : outline.rings) look_at(ring.points);
+  return largest;
+}
+
+// Rings of the outline that are input lines stand for these; every other line follows, then every other ring.
+std::vector<RawLine> raw_lines(const LineSet& lines, const Outline& outline) {
+  std::vector<RawLine> raw;
+  for (const LineId id : IdRange<LineId>(lines.lines.size())) raw.push_back({lines.lines[id].points, id});
+  for (const OutlineRing& ring : outline.rings) {
+    if (ring.line.valid()) {
+      raw[ring.line.value()].outline = true;
+      raw[ring.line.value()].polygon = ring.polygon;
+    } else {
+      raw.push_back({ring.points, LineId(), true, outline.rigid, ring.polygon});
+    }
+  }
+  return raw;
+}
+
+// Lines that are too short to be seen at this snapping distance, with the reason.
+std::string reason_for_point(const InputLine& line) {
+  if (line.points.empty()) return "has no points";
+  const bool one =
+      std::all_of(line.points.begin(), line.points.end(), [&](Vec2 p) { return p == line.points[0]; });
+  return one ? "has no length" : "lies within the snapping distance of one point";
+}
+
+void note_points(const LineSet& lines, const PathNetwork& network, linework::Reasons& reasons) {
+  for (const Path& path : network.paths) {
+    const LineId line = network.raw[path.raw].line;
+    if (line.valid() && path.steps.size() < 2) reasons[line] = reason_for_point(lines.lines[line]);
+  }
+}
+
+// Nodes in use, in Hilbert order.
+std::vector<NodeId> ordered_nodes(const PathNetwork& network) {
+  Box2 box;
+  std::vector<NodeId> used;
+  for (const NodeId node : IdRange<NodeId>(network.nodes.size())) {
+    if (network.degree[node.value()] == 0) continue;
+    used.push_back(node);
+    box.extend(network.nodes[node]);
+  }
+  std::vector<std::uint64_t> keys;
+  for (const NodeId node : used) keys.push_back(hilbert_key(network.nodes[node], box));
+  std::vector<NodeId> result;
+  for (const std::uint32_t i : parallel::sorted_order(std::move(keys))) result.push_back(used[i]);
+  return result;
+}
+
+// The numbers of each edge's lines, as sorted pairs.
+std::vector<std::pair<std::uint32_t, LineId>> numbers_of_edges(const PathNetwork& network) {
+  std::vector<std::pair<std::uint32_t, LineId>> pairs;
+  for (std::size_t p = 0; p < network.paths.size(); ++p) {
+    const LineId line = network.raw[network.paths[p].raw].line;
+    if (!line.valid()) continue;
+    for (std::size_t i = network.edge_begin[p]; i < network.edge_begin[p + 1]; ++i)
+      pairs.emplace_back(network.edge_of_step[i], line);
+  }
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  return pairs;
+}
+
+NodedLines noded_lines(const PathNetwork& network) {
+  NodedLines result;
+  IdVector<NodeId, NodeId> renamed(network.nodes.size());
+  for (const NodeId node : ordered_nodes(network))
+    renamed[node] = result.nodes.push_back(network.nodes[node]);
+  const auto ends_of = [&](const Edge& edge) { return std::minmax(renamed[edge.from], renamed[edge.to]); };
+  std::vector<std::uint64_t> keys;
+  for (const Edge& edge : network.edges) {
+    const auto [from, to] = ends_of(edge);
+    keys.push_back(std::uint64_t{from.value()} << 32 | to.value());
+  }
+  const auto numbers = numbers_of_edges(network);
+  result.line_begin.push_back(0);
+  for (const std::uint32_t e : parallel::sorted_order(std::move(keys))) {
+    const auto [from, to] = ends_of(network.edges[e]);
+    result.pieces.push_back(
+        {from, to, network.edges[e].outline ? PieceKindOf::kOutline : PieceKindOf::kInterior});
+    auto at = std::lower_bound(numbers.begin(), numbers.end(), std::pair(e, LineId(0U)));
+    for (; at != numbers.end() && at->first == e; ++at) result.line_numbers.push_back(at->second);
+    result.line_begin.push_back(static_cast<std::uint32_t>(result.line_numbers.size()));
+  }
+  return result;
+}
+
+std::string box_text(const Box2& box) {
+  return format_point(box.low.x, box.low.y) + " to " + format_point(box.high.x, box.high.y);
+}
+
+void require_lines_inside(const LineSet& lines, const Outline& outline, const PathNetwork& network) {
+  for (const Path& path : network.paths)
+    if (network.raw[path.raw].line.valid() && path.steps.size() > 1) return;
+  Box2 box;
+  for (const OutlineRing& ring : outline.rings)
+    for (const Vec2 p : ring.points) box.extend(p);
+  throw Error(
+      ErrorKind::kInput,
+      fmt::format("{}: the outline {} holds no part of any line; the lines lie in {}; give another boundary",
+                  lines.files.empty() ? "lines" : lines.files[0], box_text(box), box_text(lines.box())));
+}
+
+void require_domain(const Outline& outline, const std::vector<linework::EdgePlace>& places) {
+  if (std::find(places.begin(), places.end(), linework::EdgePlace::kBoundary) != places.end()) return;
+  const Vec2 p =
+      outline.rings.empty() || outline.rings[0].points.empty() ? Vec2{} : outline.rings[0].points[0];
+  throw Error(
+      ErrorKind::kInput,
+      fmt::format("the outline near {} has no area at this snapping distance; give a smaller size or another "
+                  "boundary",
+                  format_point(p.x, p.y)));
+}
+
+}  // namespace
+
+CleanedLines clean_lines(const LineSet& lines, const Outline& outline, const CleanOptions& options,
+                         const Progress& progress) {
+  require_usable(options);
+  CleanedLines result;
+  result.options = options;
+  const double least = 64 * std::numeric_limits<double>::epsilon() * largest_coordinate(lines, outline);
+  if (result.options.snap < least) {
+    result.options.snap = least;
+    result.notes.push_back(fmt::format(
+        "snap {:g} is below what the coordinates can tell apart; raised to {:g}", options.snap, least));
+  }
+  progress.report("clean", 0.0);
+  PathNetwork network = linework::cluster_points(raw_lines(lines, outline), result.options.snap);
+  linework::Reasons reasons(lines.lines.size());
+  note_points(lines, network, reasons);
+  linework::node_and_snap(network, result.options.snap, result.counts, progress);
+  linework::note_lost_lines(network, "was merged into one point with others within the snapping distance",
+                            reasons);
+
+  progress.report("clean", 0.5);
+  network.build_edges();
+  const auto places = linework::edge_places(network);
+  require_domain(outline, places);
+  const std::vector<double> clipped = linework::clip_to_domain(network, places);
+  require_lines_inside(lines, outline, network);
+  linework::note_lost_lines(network, "lies outside the outline", reasons);
+
+  progress.report("clean", 0.7);
+  linework::thin_out(network, result.options, result.counts);
+  linework::note_lost_lines(network, "is shorter than the shortest piece (min-edge)", reasons);
+  network.build_edges();
+  result.lines = noded_lines(network);
+  progress.report("clean", 0.9);
+  require_noded(result.lines, result.options.snap);
+  result.ledger = linework::make_ledger(lines, network, clipped, reasons);
+  result.counts.smallest_angle = smallest_angle(result.lines);
+  for (const LedgerEntry& entry : result.ledger)
+    result.counts.largest_move = std::max(result.counts.largest_move, entry.moved);
+  for (const Piece& piece : result.lines.pieces)
+    if (distance(result.lines.nodes[piece.from], result.lines.nodes[piece.to]) < options.min_edge)
+      ++result.counts.short_pieces;
+  progress.report("clean", 1.0);
+  return result;
+}
+
+}  // namespace quarry

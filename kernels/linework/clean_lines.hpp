@@ -1,0 +1,88 @@
+// Raw lines in, noded lines out: crossings become nodes, near misses are joined, overlaps and near-parallel
+// lines are merged with all their numbers, and no node is left nearer than the snapping distance to a foreign
+// piece. The ledger tells what became of each line.
+//
+// Method: snap rounding with nodes that keep their coordinates (after Hobby 1999 and, for the distance
+// between nodes and foreign pieces, Halperin & Packer 2002, "Iterated snap rounding"), followed by
+// topology-safe removal of bends in the order of the error that it makes. Each piece keeps the stretch of the
+// raw line that it stands for, so that errors are measured against the raw line and never add up unseen.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "engine/base/progress.hpp"
+#include "engine/geometry/line_set.hpp"
+#include "kernels/linework/outline.hpp"
+
+namespace quarry {
+
+// All in input units.
+struct CleanOptions {
+  // What comes nearer than this is joined: the distance kept between a node and a foreign piece. Raised to 64
+  // ulp of the largest absolute coordinate.
+  double snap = 0;
+  // Shorter pieces are collapsed where that moves no line by more than snap + min_edge and turns no face
+  // over.
+  double min_edge = 0;
+  // A bend may go if no raw point that the joined piece stands for ends up farther than this from it.
+  double tolerance = 0;
+};
+
+// What became of an input line; the first that applies.
+enum class LineFate : std::uint8_t {
+  kDropped,  // no piece bears its number
+  kClipped,  // a part of it lies outside the outline
+  kJoined,   // it shares pieces with other lines, or an end of it was moved onto another line
+  kSplit,    // it meets other lines between its ends
+  kKept,     // none of these
+};
+[[nodiscard]] const char* name_of(LineFate fate);
+
+struct LedgerEntry {
+  LineFate fate = LineFate::kKept;
+  std::vector<LineId> with;  // lines that it shares pieces or nodes with, ascending
+  std::string why;
+  // Largest distance between the raw line (without clipped parts) and the pieces that stand for it. 0 if
+  // dropped.
+  double moved = 0;
+  double clipped_length = 0;  // length outside the outline
+};
+
+struct CleanCounts {
+  std::uint32_t rounds = 0;        // of snapping and crossing
+  std::uint32_t crossings = 0;     // that became nodes
+  std::uint32_t bends = 0;         // nodes that a foreign piece was bent through
+  std::uint32_t merges = 0;        // nodes merged because the rounds ran out
+  std::uint32_t simplified = 0;    // bends removed within the tolerance
+  std::uint32_t collapsed = 0;     // pieces collapsed for being short
+  std::uint32_t short_pieces = 0;  // pieces shorter than min_edge that had to stay
+  double smallest_angle = 180;     // degrees, between pieces at a node
+  double largest_move = 0;         // largest LedgerEntry::moved
+};
+
+struct CleanedLines {
+  NodedLines lines;
+  IdVector<LineId, LedgerEntry> ledger;
+  CleanCounts counts;
+  CleanOptions options;            // as used: snap may have been raised
+  std::vector<std::string> notes;  // one line each: what the user should be told
+};
+
+// Nodes come in Hilbert order of their box, pieces by their smaller node, then the larger; from < to by
+// number. Throws Error(kInput) if no line has a part within the outline, Error(kUsage) for lengths that are
+// negative or not finite, and Error(kBug) with the place if the result breaks what the header of NodedLines
+// promises.
+[[nodiscard]] CleanedLines clean_lines(const LineSet& lines, const Outline& outline,
+                                       const CleanOptions& options, const Progress& progress = {});
+
+// The promises of NodedLines, checked exactly: no two pieces cross, touch or overlap but at nodes that they
+// share, no node lies nearer than snap to a piece that does not end there, no two nodes are equal, no two
+// pieces join the same nodes. Throws Error(kBug) with the place.
+void require_noded(const NodedLines& lines, double snap);
+
+// The smallest angle between two pieces at a node, in degrees; 180 if no node has two.
+[[nodiscard]] double smallest_angle(const NodedLines& lines);
+
+}  // namespace quarry

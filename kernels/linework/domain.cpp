@@ -1,0 +1,167 @@
+#include "kernels/linework/domain.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "engine/geometry/box.hpp"
+#include "engine/geometry/predicates.hpp"
+#include "engine/parallel/parallel.hpp"
+#include "kernels/linework/raw_stretch.hpp"
+
+namespace quarry::linework {
+namespace {
+
+// The edges that rings run along, each with the polygons whose inside it parts from their outside, and a
+// table of those edges by height so that rays to the left meet few.
+class RingEdges {
+ public:
+  explicit RingEdges(const PathNetwork& network) : network_(network) {
+    collect_polygons();
+    fill_rows();
+  }
+
+  [[nodiscard]] EdgePlace place(std::uint32_t edge) const {
+    const auto [a, b] = ends(edge);
+    // The middle is at least half the snapping distance away from all other edges but near its ends, so
+    // rounding it changes no answer. Just left of the edge (just above it if it is level).
+    std::vector<std::uint32_t> within = polygons_left_of(midpoint(a, b), edge);
+    const bool left = keep_odd(within);
+    if (polygon_begin_[edge] == polygon_begin_[edge + 1])
+      return left ? EdgePlace::kInside : EdgePlace::kOutside;
+    append_polygons(edge, within);
+    const bool right = keep_odd(within);
+    if (left != right) return EdgePlace::kBoundary;
+    return left ? EdgePlace::kInside : EdgePlace::kOutside;
+  }
+
+ private:
+  [[nodiscard]] std::pair<Vec2, Vec2> ends(std::uint32_t edge) const {
+    return {network_.nodes[network_.edges[edge].from], network_.nodes[network_.edges[edge].to]};
+  }
+
+  // Keeps one of each value that occurs an odd number of times; whether any is left.
+  template <class T>
+  static bool keep_odd(std::vector<T>& values) {
+    std::sort(values.begin(), values.end());
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < values.size();) {
+      std::size_t end = i;
+      while (end < values.size() && values[end] == values[i]) ++end;
+      if ((end - i) % 2 == 1) values[kept++] = values[i];
+      i = end;
+    }
+    values.resize(kept);
+    return kept > 0;
+  }
+
+  void append_polygons(std::uint32_t edge, std::vector<std::uint32_t>& polygons) const {
+    polygons.insert(polygons.end(), polygons_.begin() + polygon_begin_[edge],
+                    polygons_.begin() + polygon_begin_[edge + 1]);
+  }
+
+  void collect_polygons() {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+    for (std::size_t p = 0; p < network_.paths.size(); ++p) {
+      const Path& path = network_.paths[p];
+      if (!path.outline) continue;
+      for (std::size_t i = network_.edge_begin[p]; i < network_.edge_begin[p + 1]; ++i)
+        pairs.emplace_back(network_.edge_of_step[i], network_.raw[path.raw].polygon);
+    }
+    keep_odd(pairs);
+    polygon_begin_.assign(network_.edges.size() + 1, 0);
+    for (const auto& [edge, polygon] : pairs) {
+      ++polygon_begin_[edge + 1];
+      polygons_.push_back(polygon);
+    }
+    for (std::size_t i = 0; i + 1 < polygon_begin_.size(); ++i) polygon_begin_[i + 1] += polygon_begin_[i];
+  }
+
+  void fill_rows() {
+    Box2 box;
+    std::vector<std::uint32_t> edges;
+    for (std::uint32_t e = 0; e < network_.edges.size(); ++e) {
+      if (polygon_begin_[e] == polygon_begin_[e + 1]) continue;
+      edges.push_back(e);
+      box.extend(ends(e).first);
+      box.extend(ends(e).second);
+    }
+    const std::size_t rows = std::clamp<std::size_t>(edges.size() / 2, 1, 4096);
+    low_ = box.low.y;
+    height_ = box.height() / static_cast<double>(rows);
+    rows_.resize(rows);
+    for (const std::uint32_t e : edges) {
+      const auto [a, b] = ends(e);
+      for (std::size_t r = row(std::min(a.y, b.y)); r <= row(std::max(a.y, b.y)); ++r) rows_[r].push_back(e);
+    }
+  }
+
+  [[nodiscard]] std::size_t row(double y) const {
+    if (!(height_ > 0)) return 0;
+    return static_cast<std::size_t>(
+        std::clamp((y - low_) / height_, 0.0, static_cast<double>(rows_.size() - 1)));
+  }
+
+  // The polygons of the edges that a ray from p to the left crosses. Ends count as above the ray if they are
+  // higher than p, so that p is taken as if it were just above where it is.
+  [[nodiscard]] std::vector<std::uint32_t> polygons_left_of(Vec2 p, std::uint32_t except) const {
+    std::vector<std::uint32_t> polygons;
+    for (const std::uint32_t e : rows_[row(p.y)]) {
+      if (e == except) continue;
+      auto [low, high] = ends(e);
+      if ((low.y <= p.y) == (high.y <= p.y)) continue;
+      if (low.y > high.y) std::swap(low, high);
+      if (orient2d(low, high, p) < 0) append_polygons(e, polygons);
+    }
+    return polygons;
+  }
+
+  const PathNetwork& network_;
+  std::vector<std::uint32_t> polygon_begin_;
+  std::vector<std::uint32_t> polygons_;
+  std::vector<std::vector<std::uint32_t>> rows_;
+  double low_ = 0;
+  double height_ = 0;
+};
+
+}  // namespace
+
+std::vector<EdgePlace> edge_places(const PathNetwork& network) {
+  std::vector<EdgePlace> places(network.edges.size());
+  const RingEdges rings(network);
+  parallel::for_each(
+      places.size(), [&](std::size_t e) { places[e] = rings.place(static_cast<std::uint32_t>(e)); }, 512);
+  return places;
+}
+
+std::vector<double> clip_to_domain(PathNetwork& network, const std::vector<EdgePlace>& places) {
+  std::vector<double> clipped(network.raw.size(), 0);
+  std::vector<Path> kept;
+  for (std::size_t p = 0; p < network.paths.size(); ++p) {
+    const Path& path = network.paths[p];
+    const RawLine& raw = network.raw[path.raw];
+    Path run;
+    run.raw = path.raw;
+    for (std::size_t i = 0; i + 1 < path.steps.size(); ++i) {
+      const EdgePlace place = places[network.edge_of_step[network.edge_begin[p] + i]];
+      const bool boundary = path.outline && place == EdgePlace::kBoundary;
+      const bool keep = raw.line.valid() ? place != EdgePlace::kOutside : boundary;
+      if (!run.steps.empty() && (!keep || boundary != run.outline)) {
+        kept.push_back(run);
+        run.steps.clear();
+      }
+      if (!keep) {
+        clipped[path.raw] += stretch_length(raw.points, path.steps[i].at, path.steps[i + 1].at);
+        continue;
+      }
+      run.outline = boundary;
+      if (run.steps.empty()) run.steps.push_back(path.steps[i]);
+      run.steps.push_back(path.steps[i + 1]);
+    }
+    if (!run.steps.empty()) kept.push_back(std::move(run));
+  }
+  network.paths = std::move(kept);
+  return clipped;
+}
+
+}  // namespace quarry::linework

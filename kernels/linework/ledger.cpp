@@ -1,0 +1,189 @@
+#include "kernels/linework/ledger.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "kernels/linework/raw_stretch.hpp"
+
+namespace quarry::linework {
+namespace {
+
+void sort_unique(std::vector<LineId>& lines) {
+  std::sort(lines.begin(), lines.end());
+  lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
+}
+
+// Lines by node and by edge, each as pairs sorted by place.
+template <class Place>
+class LinesAt {
+ public:
+  void add(Place place, LineId line) { pairs_.emplace_back(place, line); }
+  void finish() {
+    std::sort(pairs_.begin(), pairs_.end());
+    pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
+  }
+  // Adds the lines other than `line` at a place; whether there were any.
+  bool others(Place place, LineId line, std::vector<LineId>& result) const {
+    auto at = std::lower_bound(pairs_.begin(), pairs_.end(), std::pair(place, LineId(0U)));
+    bool any = false;
+    for (; at != pairs_.end() && at->first == place; ++at) {
+      if (at->second == line) continue;
+      result.push_back(at->second);
+      any = true;
+    }
+    return any;
+  }
+
+ private:
+  std::vector<std::pair<Place, LineId>> pairs_;
+};
+
+struct Meetings {
+  std::vector<LineId> along;    // lines that share pieces
+  std::vector<LineId> onto;     // lines that an end was moved onto
+  std::vector<LineId> between;  // lines met between the ends
+  std::vector<LineId> at_ends;  // lines met at the ends, where they met before
+};
+
+std::string text_of(const std::vector<LineId>& lines) {
+  std::vector<std::uint32_t> numbers;
+  for (const LineId line : lines) numbers.push_back(line.value());
+  constexpr std::size_t kShown = 8;
+  const std::size_t shown = std::min(kShown, numbers.size());
+  std::string text = fmt::format(
+      "{}", fmt::join(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(shown), ", "));
+  if (numbers.size() > shown) text += fmt::format(" and {} more", numbers.size() - shown);
+  return text;
+}
+
+class LedgerMaker {
+ public:
+  LedgerMaker(const LineSet& lines, const PathNetwork& network) : lines_(lines), network_(network) {
+    for (std::size_t p = 0; p < network.paths.size(); ++p) {
+      const Path& path = network.paths[p];
+      const LineId line = network.raw[path.raw].line;
+      if (!line.valid() || path.steps.size() < 2) continue;
+      for (const PathStep& step : path.steps) at_node_.add(step.node, line);
+      for (std::size_t i = network.edge_begin[p]; i < network.edge_begin[p + 1]; ++i)
+        on_edge_.add(network.edge_of_step[i], line);
+    }
+    at_node_.finish();
+    on_edge_.finish();
+  }
+
+  IdVector<LineId, LedgerEntry> run(const std::vector<double>& clipped, const Reasons& reasons) {
+    IdVector<LineId, LedgerEntry> ledger(lines_.lines.size());
+    IdVector<LineId, Meetings> meetings(lines_.lines.size());
+    IdVector<LineId, std::uint8_t> alive(lines_.lines.size());
+    for (std::size_t p = 0; p < network_.paths.size(); ++p) {
+      const LineId line = network_.raw[network_.paths[p].raw].line;
+      if (!line.valid() || network_.paths[p].steps.size() < 2) continue;
+      alive[line] = 1;
+      follow(p, line, meetings[line], ledger[line]);
+    }
+    for (std::size_t r = 0; r < network_.raw.size(); ++r)
+      if (network_.raw[r].line.valid()) ledger[network_.raw[r].line].clipped_length += clipped[r];
+    for (const LineId line : IdRange<LineId>(ledger.size())) {
+      if (alive[line] != 0) {
+        judge(meetings[line], ledger[line]);
+      } else {
+        ledger[line].fate = LineFate::kDropped;
+        ledger[line].why = reasons[line];
+      }
+    }
+    return ledger;
+  }
+
+ private:
+  void follow(std::size_t p, LineId line, Meetings& meetings, LedgerEntry& entry) const {
+    const Path& path = network_.paths[p];
+    const std::span<const Vec2> raw = network_.raw[path.raw].points;
+    const std::size_t last = path.steps.size() - 1;
+    for (std::size_t i = 0; i < last; ++i) {
+      (void)on_edge_.others(network_.edge_of_step[network_.edge_begin[p] + i], line, meetings.along);
+      const PathStep& from = path.steps[i];
+      const PathStep& to = path.steps[i + 1];
+      entry.moved = std::max(
+          entry.moved, deviation(raw, from.at, to.at, network_.nodes[from.node], network_.nodes[to.node]));
+    }
+    const bool loop = path.steps.front().node == path.steps.back().node;
+    for (std::size_t i = 0; i <= last; ++i) {
+      const bool end = !loop && (i == 0 || i == last);
+      const Vec2 p_now = network_.nodes[path.steps[i].node];
+      const bool moved = !(raw_point(raw, path.steps[i].at) == p_now);
+      (void)at_node_.others(path.steps[i].node, line,
+                            !end ? meetings.between : (moved ? meetings.onto : meetings.at_ends));
+    }
+  }
+
+  static void judge(Meetings& meetings, LedgerEntry& entry) {
+    for (std::vector<LineId>* group :
+         {&meetings.along, &meetings.onto, &meetings.between, &meetings.at_ends}) {
+      sort_unique(*group);
+      entry.with.insert(entry.with.end(), group->begin(), group->end());
+    }
+    sort_unique(entry.with);
+    if (!meetings.along.empty()) {
+      entry.fate = LineFate::kJoined;
+      entry.why = "runs along line " + text_of(meetings.along);
+    } else if (!meetings.onto.empty()) {
+      entry.fate = LineFate::kJoined;
+      entry.why = "an end was joined to line " + text_of(meetings.onto);
+    } else if (!meetings.between.empty()) {
+      entry.fate = LineFate::kSplit;
+      entry.why = "meets line " + text_of(meetings.between);
+    }
+    if (entry.clipped_length > 0) {
+      entry.fate = LineFate::kClipped;
+      const std::string more = entry.why.empty() ? "" : "; " + entry.why;
+      entry.why = fmt::format("a length of {:.6g} lies outside the outline{}", entry.clipped_length, more);
+    }
+  }
+
+  const LineSet& lines_;
+  const PathNetwork& network_;
+  LinesAt<NodeId> at_node_;
+  LinesAt<std::uint32_t> on_edge_;
+};
+
+}  // namespace
+
+void note_lost_lines(const PathNetwork& network, const std::string& why, Reasons& reasons) {
+  IdVector<LineId, std::uint8_t> alive(reasons.size());
+  for (const Path& path : network.paths) {
+    const LineId line = network.raw[path.raw].line;
+    if (line.valid() && path.steps.size() > 1) alive[line] = 1;
+  }
+  for (const LineId line : IdRange<LineId>(reasons.size()))
+    if (alive[line] == 0 && reasons[line].empty()) reasons[line] = why;
+}
+
+IdVector<LineId, LedgerEntry> make_ledger(const LineSet& lines, const PathNetwork& network,
+                                          const std::vector<double>& clipped, const Reasons& reasons) {
+  return LedgerMaker(lines, network).run(clipped, reasons);
+}
+
+}  // namespace quarry::linework
+
+namespace quarry {
+
+const char* name_of(LineFate fate) {
+  switch (fate) {
+    case LineFate::kDropped:
+      return "dropped";
+    case LineFate::kClipped:
+      return "clipped";
+    case LineFate::kJoined:
+      return "joined";
+    case LineFate::kSplit:
+      return "split";
+    case LineFate::kKept:
+      break;
+  }
+  return "kept";
+}
+
+}  // namespace quarry

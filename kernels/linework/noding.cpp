@@ -1,0 +1,339 @@
+#include "kernels/linework/noding.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <tuple>
+
+#include "engine/geometry/segment.hpp"
+#include "engine/parallel/parallel.hpp"
+#include "kernels/linework/node_buckets.hpp"
+
+namespace quarry::linework {
+namespace {
+
+constexpr std::uint32_t kBendingRounds = 30;
+constexpr std::size_t kQueriesPerChunk = 256;
+
+// A node nearer than snap to an edge that does not end there.
+struct Hit {
+  NodeId node;
+  std::uint32_t edge;
+  double squared;  // distance
+};
+
+struct Crossing {
+  std::uint32_t first;
+  std::uint32_t second;
+};
+
+// Runs find(begin, end, found) over chunks of [0, size) and returns all that was found in order.
+template <class Found, class Find>
+std::vector<Found> gather(std::size_t size, Find&& find) {
+  return parallel::reduce_ordered(
+      size, std::vector<Found>(),
+      [&](std::size_t begin, std::size_t end) {
+        std::vector<Found> found;
+        find(begin, end, found);
+        return found;
+      },
+      [](std::vector<Found> all, std::vector<Found> part) {
+        all.insert(all.end(), part.begin(), part.end());
+        return all;
+      },
+      kQueriesPerChunk);
+}
+
+class Noder {
+ public:
+  Noder(PathNetwork& network, double snap, CleanCounts& counts)
+      : network_(network),
+        snap_(snap),
+        counts_(counts),
+        buckets_(network.nodes.empty() ? Vec2{} : network.nodes[NodeId(0U)], std::numbers::sqrt2 * snap) {
+    mark_ends_and_outline();
+  }
+
+  void run(const Progress& progress) {
+    for (;;) {
+      progress.throw_if_cancelled();
+      network_.build_edges();
+      const std::vector<Segment> segments = network_.segments();
+      if (segments.empty()) return;
+      const SegmentGrid grid(segments, 4 * snap_);
+      if (!(snap_nodes(segments, grid) || node_crossings(segments, grid))) return;
+      ++counts_.rounds;
+    }
+  }
+
+ private:
+  // Nodes that may move: ends of a single line onto another line, and all but the outline's own onto the
+  // outline.
+  void mark_ends_and_outline() {
+    const std::size_t size = network_.nodes.size();
+    end_of_one_.assign(size, 0);
+    on_outline_.assign(size, 0);
+    for (const Path& path : network_.paths) {
+      for (const PathStep& step : path.steps)
+        if (path.outline) on_outline_[step.node.value()] = 1;
+      if (path.steps.size() < 2) continue;
+      for (const PathStep& end : {path.steps.front(), path.steps.back()}) ++end_of_one_[end.node.value()];
+    }
+    for (const NodeId node : IdRange<NodeId>(size)) buckets_.insert(node, network_.nodes[node]);
+  }
+
+  bool may_move_to(const Hit& hit) const {
+    const std::uint32_t n = hit.node.value();
+    if (on_outline_[n] != 0) return false;
+    return network_.edges[hit.edge].outline || (end_of_one_[n] == 1 && network_.degree[n] == 1);
+  }
+
+  std::vector<Hit> find_hits(const std::vector<Segment>& segments, const SegmentGrid& grid) const {
+    return gather<Hit>(network_.nodes.size(),
+                       [&](std::size_t begin, std::size_t end, std::vector<Hit>& hits) {
+                         std::vector<std::uint32_t> near;
+                         for (std::size_t n = begin; n < end; ++n) {
+                           if (network_.degree[n] == 0) continue;
+                           const NodeId node(n);
+                           const Vec2 p = network_.nodes[node];
+                           grid.find(Box2{p, p}.grown(snap_), near);
+                           for (const std::uint32_t e : near) {
+                             const Edge& edge = network_.edges[e];
+                             if (edge.from == node || edge.to == node) continue;
+                             const double squared = squared_distance(p, segments[e].from, segments[e].to);
+                             if (squared < snap_ * snap_) hits.push_back({node, e, squared});
+                           }
+                         }
+                       });
+  }
+
+  bool snap_nodes(const std::vector<Segment>& segments, const SegmentGrid& grid) {
+    const std::vector<Hit> hits = find_hits(segments, grid);
+    if (hits.empty()) return false;
+    if (counts_.rounds >= kBendingRounds) {
+      merge_hits(hits, segments);
+      return true;
+    }
+    std::vector<Insertion> insertions;
+    begin_merging();
+    for (std::size_t i = 0; i < hits.size();) {
+      std::size_t end = i;
+      while (end < hits.size() && hits[end].node == hits[i].node) ++end;
+      move_onto_nearest(std::span(hits).subspan(i, end - i), segments);
+      for (; i < end; ++i) insertions.push_back(insertion_of(hits[i].node, hits[i].edge, segments));
+    }
+    counts_.bends += static_cast<std::uint32_t>(insertions.size());
+    network_.insert(insertions);
+    finish_merging();
+    return true;
+  }
+
+  Insertion insertion_of(NodeId node, std::uint32_t edge, const std::vector<Segment>& segments) const {
+    return {edge, projection_parameter(network_.nodes[node], segments[edge].from, segments[edge].to), node};
+  }
+
+  // Moves the node of these hits onto the nearest of the edges that it may move to, the outline before
+  // others.
+  void move_onto_nearest(std::span<const Hit> hits, const std::vector<Segment>& segments) {
+    const Hit* best = nullptr;
+    const auto rank = [&](const Hit& hit) {
+      return std::tuple(!network_.edges[hit.edge].outline, hit.squared, hit.edge);
+    };
+    for (const Hit& hit : hits)
+      if (may_move_to(hit) && (best == nullptr || rank(hit) < rank(*best))) best = &hit;
+    if (best != nullptr) move_onto(best->node, best->edge, segments);
+  }
+
+  // The foot of a node on an edge; a node that stands there already takes its place.
+  void move_onto(NodeId node, std::uint32_t edge, const std::vector<Segment>& segments) {
+    const Vec2 foot = closest_point(network_.nodes[node], segments[edge].from, segments[edge].to);
+    end_of_one_[node.value()] = 0;
+    if (network_.edges[edge].outline) on_outline_[node.value()] = 1;
+    buckets_.remove(node);
+    const NodeId there = buckets_.nearest(foot, node);
+    if (there.valid() && squared_length(network_.nodes[there] - foot) < snap_ * snap_ &&
+        (on_outline_[there.value()] != 0 || !network_.edges[edge].outline)) {
+      substitute_[node] = there;
+      return;
+    }
+    network_.nodes[node] = foot;
+    buckets_.insert(node, foot);
+  }
+
+  void begin_merging() {
+    substitute_ = IdVector<NodeId, NodeId>(network_.nodes.size());
+    for (const NodeId node : IdRange<NodeId>(substitute_.size())) substitute_[node] = node;
+  }
+
+  NodeId root(NodeId node) const {
+    while (substitute_[node] != node) node = substitute_[node];
+    return node;
+  }
+
+  void finish_merging() {
+    for (const NodeId node : IdRange<NodeId>(substitute_.size())) substitute_[node] = root(node);
+    network_.substitute(substitute_);
+  }
+
+  void merge(NodeId gone, NodeId kept) {
+    gone = root(gone);
+    kept = root(kept);
+    if (gone == kept) return;
+    if (on_outline_[gone.value()] > on_outline_[kept.value()]) std::swap(gone, kept);
+    substitute_[gone] = kept;
+    buckets_.remove(gone);
+    ++counts_.merges;
+  }
+
+  void merge_hits(const std::vector<Hit>& hits, const std::vector<Segment>& segments) {
+    begin_merging();
+    for (const Hit& hit : hits) {
+      const Edge& edge = network_.edges[hit.edge];
+      const bool first =
+          closest_parameter(network_.nodes[hit.node], segments[hit.edge].from, segments[hit.edge].to) < 0.5;
+      merge(hit.node, first ? edge.from : edge.to);
+    }
+    finish_merging();
+  }
+
+  std::vector<Crossing> find_crossings(const std::vector<Segment>& segments, const SegmentGrid& grid) const {
+    const double step = 64 * snap_;
+    return gather<Crossing>(
+        segments.size(), [&](std::size_t begin, std::size_t end, std::vector<Crossing>& found) {
+          std::vector<std::uint32_t> near;
+          std::vector<std::uint32_t> part;
+          for (std::size_t e = begin; e < end; ++e) {
+            const auto [a, b] = segments[e];
+            near.clear();
+            // Along a long edge in short boxes, for the box of the whole would hold far too much.
+            const auto parts = static_cast<std::size_t>(std::clamp(distance(a, b) / step, 1.0, 256.0));
+            for (std::size_t k = 0; k < parts; ++k) {
+              Box2 box;
+              box.extend(point_at(static_cast<double>(k) / static_cast<double>(parts), a, b));
+              box.extend(point_at(static_cast<double>(k + 1) / static_cast<double>(parts), a, b));
+              grid.find(box.grown(snap_), part);
+              near.insert(near.end(), part.begin(), part.end());
+            }
+            std::sort(near.begin(), near.end());
+            near.erase(std::unique(near.begin(), near.end()), near.end());
+            for (const std::uint32_t f : near)
+              if (f > e && meeting(a, b, segments[f].from, segments[f].to) == Meeting::kProper)
+                found.push_back({static_cast<std::uint32_t>(e), f});
+          }
+        });
+  }
+
+  bool node_crossings(const std::vector<Segment>& segments, const SegmentGrid& grid) {
+    const std::vector<Crossing> crossings = find_crossings(segments, grid);
+    if (crossings.empty()) return false;
+    begin_merging();
+    std::vector<Insertion> insertions;
+    for (const Crossing& crossing : crossings) {
+      if (counts_.rounds >= kBendingRounds) {
+        merge_crossing(crossing);
+        continue;
+      }
+      const NodeId node = node_of_crossing(crossing, segments);
+      for (const std::uint32_t e : {crossing.first, crossing.second})
+        if (network_.edges[e].from != node && network_.edges[e].to != node)
+          insertions.push_back(insertion_of(node, e, segments));
+    }
+    network_.insert(insertions);
+    finish_merging();
+    return true;
+  }
+
+  // An existing node near the crossing, or a new one.
+  NodeId node_of_crossing(const Crossing& crossing, const std::vector<Segment>& segments) {
+    const Segment first = segments[crossing.first];
+    const Segment second = segments[crossing.second];
+    Vec2 x = crossing_point(first.from, first.to, second.from, second.to);
+    const bool first_outline = network_.edges[crossing.first].outline;
+    const bool second_outline = network_.edges[crossing.second].outline;
+    if (first_outline) x = closest_point(x, first.from, first.to);
+    if (!first_outline && second_outline) x = closest_point(x, second.from, second.to);
+    const NodeId near = buckets_.nearest(x);
+    const bool outline = first_outline || second_outline;
+    if (near.valid() && (!outline || on_outline_[near.value()] != 0)) return near;
+    if (near.valid()) {
+      // Rather the node onto the outline than the outline through the node.
+      buckets_.remove(near);
+      network_.nodes[near] = x;
+      buckets_.insert(near, x);
+      on_outline_[near.value()] = 1;
+      return near;
+    }
+    const NodeId node = network_.nodes.push_back(x);
+    buckets_.insert(node, x);
+    substitute_.push_back(node);
+    on_outline_.push_back(outline ? 1 : 0);
+    end_of_one_.push_back(0);
+    ++counts_.crossings;
+    return node;
+  }
+
+  // Merges the two ends, one of each edge, that are nearest to each other.
+  void merge_crossing(const Crossing& crossing) {
+    const Edge& first = network_.edges[crossing.first];
+    const Edge& second = network_.edges[crossing.second];
+    NodeId gone = first.from;
+    NodeId kept = second.from;
+    for (const NodeId a : {first.from, first.to}) {
+      for (const NodeId b : {second.from, second.to}) {
+        const double now = squared_length(network_.nodes[gone] - network_.nodes[kept]);
+        if (squared_length(network_.nodes[a] - network_.nodes[b]) < now)
+          std::tie(gone, kept) = std::tie(a, b);
+      }
+    }
+    merge(gone, kept);
+  }
+
+  PathNetwork& network_;
+  double snap_;
+  CleanCounts& counts_;
+  NodeBuckets buckets_;
+  std::vector<std::uint32_t> end_of_one_;  // how many paths end at the node; 0 once it has moved
+  std::vector<std::uint8_t> on_outline_;
+  IdVector<NodeId, NodeId> substitute_;
+};
+
+}  // namespace
+
+PathNetwork cluster_points(std::vector<RawLine> raw, double snap) {
+  PathNetwork network;
+  network.raw = std::move(raw);
+  Vec2 origin;
+  for (const RawLine& line : network.raw)
+    if (!line.points.empty()) origin = line.points.front();
+  NodeBuckets buckets(origin, std::numbers::sqrt2 * snap);
+  const auto node_at = [&](Vec2 p) {
+    NodeId node = buckets.nearest(p);
+    if (!node.valid()) {
+      node = network.nodes.push_back(p);
+      buckets.insert(node, p);
+    }
+    return node;
+  };
+  for (const RawLine& line : network.raw)
+    if (line.outline)
+      for (const Vec2 p : line.points) (void)node_at(p);
+  for (const RawLine& line : network.raw)
+    if (!line.points.empty())
+      for (const Vec2 p : {line.points.front(), line.points.back()}) (void)node_at(p);
+  for (std::size_t r = 0; r < network.raw.size(); ++r) {
+    Path path;
+    path.raw = static_cast<std::uint32_t>(r);
+    path.outline = network.raw[r].outline;
+    for (std::size_t i = 0; i < network.raw[r].points.size(); ++i)
+      path.steps.push_back({node_at(network.raw[r].points[i]), static_cast<double>(i)});
+    network.paths.push_back(std::move(path));
+  }
+  network.drop_repeated_steps();
+  return network;
+}
+
+void node_and_snap(PathNetwork& network, double snap, CleanCounts& counts, const Progress& progress) {
+  Noder(network, snap, counts).run(progress);
+}
+
+}  // namespace quarry::linework

@@ -1,0 +1,117 @@
+#include "kernels/linework/path_network.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+#include "engine/parallel/sort.hpp"
+#include "kernels/linework/raw_stretch.hpp"
+
+namespace quarry::linework {
+
+void PathNetwork::build_edges() {
+  std::vector<std::uint64_t> keys;
+  std::vector<bool> outline_steps;
+  edge_begin.assign(1, 0);
+  for (const Path& path : paths) {
+    for (std::size_t i = 0; i + 1 < path.steps.size(); ++i) {
+      const auto [low, high] = std::minmax(path.steps[i].node, path.steps[i + 1].node);
+      keys.push_back(std::uint64_t{low.value()} << 32 | high.value());
+      outline_steps.push_back(path.outline);
+    }
+    edge_begin.push_back(keys.size());
+  }
+  const std::vector<std::uint32_t> order = parallel::sorted_order(keys);
+  edges.clear();
+  edge_of_step.assign(keys.size(), 0);
+  degree.assign(nodes.size(), 0);
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const std::uint64_t key = keys[order[i]];
+    if (i == 0 || key != keys[order[i - 1]]) {
+      edges.push_back(
+          {NodeId(static_cast<std::uint32_t>(key >> 32)), NodeId(static_cast<std::uint32_t>(key))});
+      ++degree[edges.back().from.value()];
+      ++degree[edges.back().to.value()];
+    }
+    if (outline_steps[order[i]]) edges.back().outline = true;
+    edge_of_step[order[i]] = static_cast<std::uint32_t>(edges.size() - 1);
+  }
+}
+
+std::vector<Segment> PathNetwork::segments() const {
+  std::vector<Segment> result;
+  result.reserve(edges.size());
+  for (const Edge& edge : edges) result.push_back({nodes[edge.from], nodes[edge.to]});
+  return result;
+}
+
+void PathNetwork::insert(std::vector<Insertion>& insertions) {
+  if (insertions.empty()) return;
+  std::sort(insertions.begin(), insertions.end(), [](const Insertion& a, const Insertion& b) {
+    return std::tuple(a.edge, a.at, a.node) < std::tuple(b.edge, b.at, b.node);
+  });
+  std::vector<std::uint32_t> begin(edges.size() + 1, 0);
+  for (const Insertion& insertion : insertions) ++begin[insertion.edge + 1];
+  for (std::size_t i = 0; i < edges.size(); ++i) begin[i + 1] += begin[i];
+  std::vector<PathStep> steps;
+  for (std::size_t p = 0; p < paths.size(); ++p) {
+    Path& path = paths[p];
+    const std::size_t count = path.steps.size();
+    bool touched = false;
+    for (std::size_t i = 0; i + 1 < count && !touched; ++i) {
+      const std::uint32_t edge = edge_of_step[edge_begin[p] + i];
+      touched = begin[edge] != begin[edge + 1];
+    }
+    if (!touched) continue;
+    steps.clear();
+    for (std::size_t i = 0; i + 1 < count; ++i) {
+      steps.push_back(path.steps[i]);
+      const std::uint32_t edge = edge_of_step[edge_begin[p] + i];
+      const bool forward = edges[edge].from == path.steps[i].node;
+      const std::uint32_t size = begin[edge + 1] - begin[edge];
+      for (std::uint32_t k = 0; k < size; ++k) {
+        const NodeId node = insertions[forward ? begin[edge] + k : begin[edge + 1] - 1 - k].node;
+        const double at =
+            nearest_parameter(raw[path.raw].points, steps.back().at, path.steps[i + 1].at, nodes[node]);
+        steps.push_back({node, at});
+      }
+    }
+    steps.push_back(path.steps.back());
+    path.steps = steps;
+    drop_repeated_steps(path);
+  }
+}
+
+void PathNetwork::substitute(const IdVector<NodeId, NodeId>& substitute) {
+  for (Path& path : paths) {
+    bool touched = false;
+    for (PathStep& step : path.steps) {
+      touched = touched || substitute[step.node] != step.node;
+      step.node = substitute[step.node];
+    }
+    if (touched) drop_repeated_steps(path);
+  }
+}
+
+void PathNetwork::drop_repeated_steps() {
+  for (Path& path : paths) drop_repeated_steps(path);
+}
+
+void PathNetwork::drop_repeated_steps(Path& path) const {
+  std::vector<PathStep>& steps = path.steps;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < steps.size();) {
+    std::size_t end = i + 1;
+    while (end < steps.size() && steps[end].node == steps[i].node) ++end;
+    double at = steps[i].at;
+    if (end == steps.size()) {
+      at = i == 0 ? at : steps[end - 1].at;
+    } else if (i > 0 && end - i > 1) {
+      at = nearest_parameter(raw[path.raw].points, steps[i].at, steps[end - 1].at, nodes[steps[i].node]);
+    }
+    steps[kept++] = {steps[i].node, at};
+    i = end;
+  }
+  steps.resize(kept);
+}
+
+}  // namespace quarry::linework

@@ -1,0 +1,74 @@
+// The state of cleaning: nodes, and for each line the path that it takes through them. Edges are what
+// consecutive nodes of the paths make; an edge that several lines take is one edge.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/geometry/grid.hpp"
+#include "engine/geometry/line_set.hpp"
+
+namespace quarry::linework {
+
+// A line as it was read, or a ring of the outline.
+struct RawLine {
+  std::span<const Vec2> points;
+  LineId line;                // none for an outline that is no input line
+  bool outline = false;       // a ring of the outline
+  bool rigid = false;         // nothing may bend it
+  std::uint32_t polygon = 0;  // of the outline ring
+};
+
+struct PathStep {
+  NodeId node;
+  double at;  // the parameter of the raw line's point that the node stands for
+};
+
+// Steps follow the raw line: `at` never falls, and consecutive nodes differ. A path of one step has no edge.
+struct Path {
+  std::uint32_t raw = 0;
+  bool outline = false;
+  std::vector<PathStep> steps;
+};
+
+struct Edge {
+  NodeId from;  // the smaller number
+  NodeId to;
+  bool outline = false;
+};
+
+// Nodes to put between the ends of edges, in rows.
+struct Insertion {
+  std::uint32_t edge;
+  double at;  // along the edge
+  NodeId node;
+};
+
+struct PathNetwork {
+  std::vector<RawLine> raw;
+  std::vector<Path> paths;
+  IdVector<NodeId, Vec2> nodes;
+
+  // Of the paths as they are: each edge once, by the smaller node, then the larger.
+  std::vector<Edge> edges;
+  // The edge of each pair of consecutive steps, all paths after one another; those of path p begin at
+  // edge_begin[p].
+  std::vector<std::uint32_t> edge_of_step;
+  std::vector<std::size_t> edge_begin;
+  std::vector<std::uint32_t> degree;  // of each node
+
+  void build_edges();
+  [[nodiscard]] std::vector<Segment> segments() const;
+
+  // Puts nodes into edges of the last build_edges(), in every path that takes them. Sorts what it is given.
+  void insert(std::vector<Insertion>& insertions);
+  // Replaces each node by substitute[node] and drops steps that stay where they are.
+  void substitute(const IdVector<NodeId, NodeId>& substitute);
+  void drop_repeated_steps();
+
+ private:
+  void drop_repeated_steps(Path& path) const;
+};
+
+}  // namespace quarry::linework

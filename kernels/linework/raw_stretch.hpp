@@ -1,0 +1,23 @@
+// Stretches of a raw line: from one parameter to another, where parameter i + f lies the share f along
+// segment i.
+#pragma once
+
+#include <span>
+
+#include "engine/geometry/vec.hpp"
+
+namespace quarry::linework {
+
+[[nodiscard]] Vec2 raw_point(std::span<const Vec2> line, double at);
+
+// The parameter within [from, to] of the point of the stretch nearest to p; the smallest of equals.
+[[nodiscard]] double nearest_parameter(std::span<const Vec2> line, double from, double to, Vec2 p);
+
+// The largest distance of a point of the stretch from the segment ab, and of a from its beginning and b from
+// its end: no point of the segment is farther from the stretch than that either.
+[[nodiscard]] double deviation(std::span<const Vec2> line, double from, double to, Vec2 a, Vec2 b);
+
+// Length of the stretch.
+[[nodiscard]] double stretch_length(std::span<const Vec2> line, double from, double to);
+
+}  // namespace quarry::linework
