@@ -16,9 +16,9 @@ namespace quarry {
 // All are const and safe to call from many threads at once.
 template <class Model>
 concept GeometryModel = requires(const Model& model, const typename Model::Point& p) {
-  requires std::same_as<decltype(model.project(p)), typename Model::Point>;
-  requires std::same_as<decltype(model.normal(p)), Vec3>;
-  requires std::same_as<decltype(model.orientation(p, p, p)), double>;
+  { model.project(p) } -> std::same_as<typename Model::Point>;
+  { model.normal(p) } -> std::same_as<Vec3>;
+  { model.orientation(p, p, p) } -> std::same_as<double>;
 };
 
 // The plane: every point lies on it, and orientation is exact.
