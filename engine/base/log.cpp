@@ -36,5 +36,6 @@ void set_level(Level level) {
 void write_info(std::string_view line) { logger().info(line); }
 void write_warning(std::string_view line) { logger().warn("warning: {}", line); }
 void write_detail(std::string_view line) { logger().debug(line); }
+void write_error(std::string_view line) { logger().error("error: {}", line); }
 
 }  // namespace quarry::log

@@ -13,6 +13,7 @@ void set_level(Level level);
 void write_info(std::string_view line);
 void write_warning(std::string_view line);
 void write_detail(std::string_view line);
+void write_error(std::string_view line);
 
 template <class... Args>
 void info(fmt::format_string<Args...> format, Args&&... args) {

@@ -1,0 +1,52 @@
+// Options of the section job: lines of a plane in, a mesh that honours them out.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/geometry/box.hpp"
+
+namespace quarry {
+
+enum class Elements { kQuad, kTriangle };
+enum class StartMesh { kCrisscross, kDelaunay, kFile };
+enum class QuadMethod { kCluster };
+enum class Preset { kDefault, kPaper };
+
+struct SectionOptions {
+  std::vector<std::string> inputs;
+  // "" for the default rule, "hull", "box", or a file of rings.
+  std::string boundary;
+  // Wanted edge of the final elements in input units; or about how many elements. Exactly one is given.
+  std::optional<double> size;
+  std::optional<double> count;
+  double max_elements = 2e8;
+  // Lengths in input units; unset: 0.05, 0.1 and 0.05 of the size.
+  std::optional<double> snap, min_edge, tolerance;
+  Elements elements = Elements::kQuad;
+  StartMesh start = StartMesh::kCrisscross;
+  std::string start_file;
+  // Unset: the lattice follows the box; else degrees, or the dominant direction of the lines.
+  double orient_degrees = 0;
+  bool orient_auto = false;
+  Preset preset = Preset::kDefault;
+  std::uint64_t seed = 0;
+};
+
+// The lengths that a job works with once the size is known, all in input units.
+struct ResolvedLengths {
+  double size = 0;
+  double snap = 0;
+  double min_edge = 0;
+  double tolerance = 0;
+};
+
+// Fills in defaults. area: of the domain, for --count. Throws Error(kUsage) for values that make no sense and
+// Error(kBudget) when more elements than max_elements are to be expected in the box.
+[[nodiscard]] ResolvedLengths resolve_lengths(const SectionOptions& options, const Box2& box, double area);
+
+// About how many elements of the wanted size a box takes.
+[[nodiscard]] double predict_elements(const SectionOptions& options, const Box2& box, double size);
+
+}  // namespace quarry

@@ -1,0 +1,147 @@
+#include "pipeline/section/section.hpp"
+
+#include <fmt/format.h>
+
+#include "engine/base/error.hpp"
+#include "engine/mesh/compact.hpp"
+#include "engine/mesh/domain.hpp"
+#include "engine/mesh/validate.hpp"
+#include "io/lines/line_reader.hpp"
+#include "kernels/cluster/merge.hpp"
+#include "kernels/deferred/deferred.hpp"
+#include "kernels/initial/crisscross.hpp"
+#include "kernels/smooth/laplacian.hpp"
+#include "kernels/smooth/optimise.hpp"
+
+namespace quarry {
+namespace {
+
+Outline find_outline(const SectionOptions& options, const LineSet& lines, double near) {
+  if (options.boundary.empty()) return default_outline(lines, near);
+  if (options.boundary == "box") return box_outline(lines, near);
+  if (options.boundary == "hull") return hull_outline(lines, near);
+  return boundary_outline(read_lines({options.boundary}), near);
+}
+
+Box2 box_of(const Outline& outline) {
+  Box2 box;
+  for (const OutlineRing& ring : outline.rings)
+    for (const Vec2 p : ring.points) box.extend(p);
+  return box;
+}
+
+double area_of(const Outline& outline) {
+  double area = 0;
+  for (const OutlineRing& ring : outline.rings) {
+    double doubled = 0;
+    for (std::size_t i = 0; i + 1 < ring.points.size(); ++i)
+      doubled += cross(ring.points[i] - ring.points[0], ring.points[i + 1] - ring.points[0]);
+    area = std::max(area, 0.5 * std::abs(doubled));
+  }
+  return area;
+}
+
+// Spacing of the triangles that become elements of the wanted size: quads are halved triangles' edges.
+double spacing_of(const SectionOptions& options, double size) {
+  return options.elements == Elements::kQuad ? 2 * size : size;
+}
+
+Mesh make_start(const SectionOptions& options, const SectionResult& result) {
+  Box2 box;
+  for (const Vec2 p : result.cleaned.lines.nodes) box.extend(p);
+  return make_crisscross(box, {.cell = spacing_of(options, result.lengths.size), .angle_degrees = result.orient_degrees});
+}
+
+// The hull of the start mesh stays where it is.
+ConstraintTags prepare_start(Mesh& mesh) {
+  auto tags = ConstraintTags::add_to(mesh);
+  for (const VertexId v : mesh.vertices())
+    if (mesh.alive(v) && mesh.on_boundary(v)) tags.support[v] = Support::fixed();
+  return tags;
+}
+
+void insert(const SectionOptions& options, SectionResult& result, const Progress& progress) {
+  const double spacing = spacing_of(options, result.lengths.size);
+  DeferredOptions deferred = options.preset == Preset::kPaper ? paper_options(spacing) : DeferredOptions();
+  deferred.spacing = spacing;
+  (void)insert_lines(result.mesh, result.cleaned.lines, deferred, result.deferred, progress);
+}
+
+void convert_to_quads(const SectionOptions& options, SectionResult& result, StageClock& clock, const Progress& progress) {
+  const NodedLines& lines = result.cleaned.lines;
+  clock.start("pairing");
+  PairingOptions pairing_options;
+  if (options.preset == Preset::kPaper) pairing_options.measure = PairMeasure::kLongestEdge;
+  const Pairing pairing =
+      pair_triangles(result.mesh, ConstraintTags::of(result.mesh), pairing_options, result.pairing, progress);
+  result.mesh = merge_pairs(std::move(result.mesh), pairing);
+  clock.start("subdivision");
+  result.mesh = subdivide(std::move(result.mesh), lines, result.subdivide, progress);
+  clock.start("smoothing");
+  result.laplacian = smooth_laplacian(result.mesh, lines, LaplacianOptions(), progress);
+  clock.start("optimising");
+  result.optimiser = optimise_corners(result.mesh, lines, OptimiseOptions(), progress);
+}
+
+// Nothing leaves the engine that is not valid on the doubles as they will be written.
+void require_valid(const Mesh& mesh) {
+  const std::string failure = validate(mesh, GeometryCheck::kPlanarCorners);
+  if (!failure.empty()) throw Error(ErrorKind::kBug, "the mesh is not valid: " + failure);
+}
+
+void read_and_clean(const SectionOptions& options, SectionResult& result, StageClock& clock, const Progress& progress) {
+  clock.start("reading");
+  result.lines = read_lines(options.inputs);
+  clock.start("cleaning");
+  const Box2 box = result.lines.box();
+  const double near = options.snap.value_or(0.05 * options.size.value_or(0.01 * box.longer_side()));
+  result.outline = find_outline(options, result.lines, near);
+  result.lengths = resolve_lengths(options, box_of(result.outline), area_of(result.outline));
+  result.cleaned = clean_lines(
+      result.lines, result.outline,
+      {.snap = result.lengths.snap, .min_edge = result.lengths.min_edge, .tolerance = result.lengths.tolerance},
+      progress);
+  result.lengths.snap = result.cleaned.options.snap;
+}
+
+}  // namespace
+
+SectionResult clean_section(const SectionOptions& options, const Progress& progress) {
+  SectionResult result;
+  StageClock clock(progress);
+  read_and_clean(options, result, clock, progress);
+  clock.stop();
+  result.times = clock.times();
+  return result;
+}
+
+SectionResult mesh_section(const SectionOptions& options, const Progress& progress) {
+  SectionResult result;
+  StageClock clock(progress);
+  read_and_clean(options, result, clock, progress);
+  clock.start("start mesh");
+  result.orient_degrees = options.orient_degrees;
+  result.mesh = make_start(options, result);
+  const ConstraintTags tags = prepare_start(result.mesh);
+  clock.start("insertion");
+  insert(options, result, progress);
+  remove_outside(result.mesh, tags, result.cleaned.lines);
+  compact(result.mesh, EntityOrder::kHilbert);
+  if (options.elements == Elements::kQuad) {
+    convert_to_quads(options, result, clock, progress);
+  } else {
+    clock.start("smoothing");
+    result.laplacian = smooth_laplacian(result.mesh, result.cleaned.lines, LaplacianOptions(), progress);
+  }
+  clock.start("finishing");
+  compact(result.mesh, EntityOrder::kHilbert);
+  const ConstraintTags final_tags = ConstraintTags::of(result.mesh);
+  result.regions = label_regions(result.mesh, final_tags);
+  extract_edges(result.mesh, final_tags, result.cleaned.lines);
+  require_valid(result.mesh);
+  clock.stop();
+  result.times = clock.times();
+  return result;
+}
+
+}  // namespace quarry

@@ -1,0 +1,40 @@
+// The section job: reads lines, cleans them, works them into a start mesh, and turns that into quads (or smooths its
+// triangles). Nothing is written here.
+#pragma once
+
+#include "engine/base/progress.hpp"
+#include "engine/geometry/line_set.hpp"
+#include "engine/mesh/mesh.hpp"
+#include "kernels/cluster/pairing.hpp"
+#include "kernels/cluster/subdivide.hpp"
+#include "kernels/deferred/options.hpp"
+#include "kernels/linework/clean_lines.hpp"
+#include "kernels/smooth/sweep.hpp"
+#include "pipeline/section/options.hpp"
+#include "pipeline/section/stages.hpp"
+
+namespace quarry {
+
+struct SectionResult {
+  // Faces with the tag "region"; edge entities with the tags "constraint" and "kind". Compact, in Hilbert order.
+  Mesh mesh;
+  LineSet lines;
+  CleanedLines cleaned;
+  Outline outline;
+  ResolvedLengths lengths;
+  double orient_degrees = 0;
+  std::int32_t regions = 0;
+  DeferredReport deferred;
+  PairingReport pairing;
+  SubdivideReport subdivide;
+  SweepReport laplacian, optimiser;
+  std::vector<StageTime> times;
+};
+
+// Throws Error: see the kinds in engine/base/error.hpp and docs/contract.md.
+[[nodiscard]] SectionResult mesh_section(const SectionOptions& options, const Progress& progress);
+
+// The first half alone: read, find the outline, clean. mesh and what follows it stay empty.
+[[nodiscard]] SectionResult clean_section(const SectionOptions& options, const Progress& progress);
+
+}  // namespace quarry
