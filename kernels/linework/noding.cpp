@@ -12,7 +12,10 @@
 namespace quarry::linework {
 namespace {
 
-constexpr std::uint32_t kBendingRounds = 30;
+// Hits that bending does not settle in this many rounds in a row are settled by merging.
+constexpr std::uint32_t kRoundsBeforeMerging = 8;
+// After this many rounds in all, everything is settled by merging.
+constexpr std::uint32_t kRounds = 64;
 constexpr std::size_t kQueriesPerChunk = 256;
 
 // A node nearer than snap to an edge that does not end there.
@@ -110,10 +113,12 @@ class Noder {
   bool snap_nodes(const std::vector<Segment>& segments, const SegmentGrid& grid) {
     const std::vector<Hit> hits = find_hits(segments, grid);
     if (hits.empty()) return false;
-    if (counts_.rounds >= kBendingRounds) {
+    if (out_of_rounds() || bending_rounds_ == 0) {
+      bending_rounds_ = kRoundsBeforeMerging;
       merge_hits(hits, segments);
       return true;
     }
+    --bending_rounds_;
     std::vector<Insertion> insertions;
     begin_merging();
     for (std::size_t i = 0; i < hits.size();) {
@@ -144,20 +149,36 @@ class Noder {
     if (best != nullptr) move_onto(best->node, best->edge, segments);
   }
 
-  // The foot of a node on an edge; a node that stands there already takes its place.
   void move_onto(NodeId node, std::uint32_t edge, const std::vector<Segment>& segments) {
+    if (root(node) != node) return;
     const Vec2 foot = closest_point(network_.nodes[node], segments[edge].from, segments[edge].to);
-    end_of_one_[node.value()] = 0;
-    if (network_.edges[edge].outline) on_outline_[node.value()] = 1;
-    buckets_.remove(node);
-    const NodeId there = buckets_.nearest(foot, node);
-    if (there.valid() && squared_length(network_.nodes[there] - foot) < snap_ * snap_ &&
-        (on_outline_[there.value()] != 0 || !network_.edges[edge].outline)) {
-      substitute_[node] = there;
-      return;
+    if (network_.edges[edge].outline) {
+      (void)put_on_outline(node, foot);
+    } else if (!buckets_.nearest(foot, node).valid()) {
+      end_of_one_[node.value()] = 0;
+      move(node, foot);
     }
-    network_.nodes[node] = foot;
-    buckets_.insert(node, foot);
+  }
+
+  void move(NodeId node, Vec2 to) {
+    buckets_.remove(node);
+    network_.nodes[node] = to;
+    buckets_.insert(node, to);
+  }
+
+  // Moves a node to a place on the outline; nodes that are too near to that place become one with it, so that
+  // nodes stay apart. Returns the node that stands there in the end.
+  NodeId put_on_outline(NodeId node, Vec2 place) {
+    for (NodeId near = buckets_.nearest(place, node); near.valid(); near = buckets_.nearest(place, node)) {
+      const bool stays = on_outline_[near.value()] != 0;
+      const NodeId gone = stays ? node : near;
+      substitute_[gone] = stays ? near : node;
+      buckets_.remove(gone);
+      if (stays) return near;
+    }
+    on_outline_[node.value()] = 1;
+    move(node, place);
+    return node;
   }
 
   void begin_merging() {
@@ -196,6 +217,8 @@ class Noder {
     finish_merging();
   }
 
+  [[nodiscard]] bool out_of_rounds() const { return counts_.rounds >= kRounds; }
+
   std::vector<Crossing> find_crossings(const std::vector<Segment>& segments, const SegmentGrid& grid) const {
     const double step = 64 * snap_;
     return gather<Crossing>(
@@ -226,10 +249,11 @@ class Noder {
   bool node_crossings(const std::vector<Segment>& segments, const SegmentGrid& grid) {
     const std::vector<Crossing> crossings = find_crossings(segments, grid);
     if (crossings.empty()) return false;
+    bending_rounds_ = kRoundsBeforeMerging;
     begin_merging();
     std::vector<Insertion> insertions;
     for (const Crossing& crossing : crossings) {
-      if (counts_.rounds >= kBendingRounds) {
+      if (out_of_rounds()) {
         merge_crossing(crossing);
         continue;
       }
@@ -255,14 +279,8 @@ class Noder {
     const NodeId near = buckets_.nearest(x);
     const bool outline = first_outline || second_outline;
     if (near.valid() && (!outline || on_outline_[near.value()] != 0)) return near;
-    if (near.valid()) {
-      // Rather the node onto the outline than the outline through the node.
-      buckets_.remove(near);
-      network_.nodes[near] = x;
-      buckets_.insert(near, x);
-      on_outline_[near.value()] = 1;
-      return near;
-    }
+    // Rather the node onto the outline than the outline through the node.
+    if (near.valid()) return put_on_outline(near, x);
     const NodeId node = network_.nodes.push_back(x);
     buckets_.insert(node, x);
     substitute_.push_back(node);
@@ -295,6 +313,7 @@ class Noder {
   std::vector<std::uint32_t> end_of_one_;  // how many paths end at the node; 0 once it has moved
   std::vector<std::uint8_t> on_outline_;
   IdVector<NodeId, NodeId> substitute_;
+  std::uint32_t bending_rounds_ = kRoundsBeforeMerging;
 };
 
 }  // namespace

@@ -13,11 +13,12 @@ namespace quarry::linework {
 [[nodiscard]] PathNetwork cluster_points(std::vector<RawLine> raw, double snap);
 
 // Why it ends. A node n nearer than s = snap to an edge ab bends it. While all nodes are sqrt(2) s apart, an
-// and nb are both shorter than ab (with h1, h2 the feet's distances from a and b: h1, h2 >= s, so |an|^2 <
-// h1^2 + s^2 < (h1 + h2)^2), so that edges between finitely many nodes run out. Crossings add nodes only
-// where none is near, and nodes may move once, onto the outline or an end onto a line. After a fixed number
-// of rounds nothing is bent or added any more: the node in the way is merged into an end of the edge, and
-// nodes run out.
+// and nb are both shorter than ab (with h1, h2 >= s the distances of the foot from a and b, |an|^2 < h1^2 +
+// s^2 <= (h1 + h2)^2), so that edges between finitely many nodes run out. Crossings add nodes only where none
+// is near. Nodes move at most twice: the end of a single line onto a line, if that leaves it apart from
+// others, and any node onto the outline, where it swallows those that it comes too near to. As rounding and
+// crossings are not in this argument, hits that go on for several rounds are settled by merging nodes, and
+// after a fixed number of rounds everything is: then every round has fewer nodes than the one before.
 void node_and_snap(PathNetwork& network, double snap, CleanCounts& counts, const Progress& progress);
 
 }  // namespace quarry::linework
