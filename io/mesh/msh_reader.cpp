@@ -1,0 +1,242 @@
+#include <algorithm>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "engine/base/error.hpp"
+#include "io/mesh/group_name.hpp"
+#include "io/mesh/mapped_file.hpp"
+#include "io/mesh/msh_format.hpp"
+#include "io/mesh/read_cells.hpp"
+#include "io/mesh/text_cursor.hpp"
+
+namespace quarry {
+namespace {
+
+// Corners of an element type; 0 where it is not one of ours.
+constexpr int corner_count_of(int type) {
+  switch (type) {
+    case 1:
+      return 2;  // line
+    case 2:
+      return 3;  // triangle
+    case 3:
+      return 4;  // quad
+    case 15:
+      return 1;  // point
+    default:
+      return 0;
+  }
+}
+
+// An entity or physical group: its dimension and its tag.
+using GroupKey = std::pair<int, std::int64_t>;
+
+class MshReader {
+ public:
+  MshReader(const std::string& path, std::string_view text) : path_(path), cursor_(path, text) {}
+
+  ReadCells read() {
+    while (!cursor_.at_end()) {
+      const std::string_view section = cursor_.word();
+      cursor_.line();
+      if (section == "$MeshFormat")
+        read_format();
+      else if (section == "$PhysicalNames")
+        read_names();
+      else if (section == "$Entities")
+        read_entities();
+      else if (section == "$Nodes")
+        new_format_ ? read_nodes() : read_old_nodes();
+      else if (section == "$Elements")
+        new_format_ ? read_elements() : read_old_elements();
+      skip_section(section);
+    }
+    if (!seen_format_)
+      throw Error(ErrorKind::kInput, fmt::format("{}: no $MeshFormat: this is no Gmsh mesh", path_));
+    return std::move(cells_);
+  }
+
+ private:
+  // Sections that are not read, and what is left of those that are.
+  void skip_section(std::string_view section) {
+    if (section.size() < 2 || section[0] != '$') cursor_.fail("a section that starts with $ is expected");
+    const std::string end = fmt::format("$End{}", section.substr(1));
+    while (true) {
+      if (cursor_.at_end()) cursor_.fail(fmt::format("{} is missing", end));
+      std::string_view line = cursor_.line();
+      while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.remove_suffix(1);
+      if (line == end) return;
+    }
+  }
+
+  void read_format() {
+    const std::string_view version = cursor_.word();
+    new_format_ = version == "4.1";
+    if (!new_format_ && version != "2.2" && version != "2.1" && version != "2")
+      cursor_.fail(fmt::format("Gmsh format {} is not known; save as 4.1 or 2.2", version));
+    if (cursor_.number<int>("0 for ASCII") != 0)
+      cursor_.fail("a binary file; save it as ASCII (gmsh -save -bin 0)");
+    seen_format_ = true;
+  }
+
+  void read_names() {
+    for (auto left = cursor_.number<std::int64_t>("the number of names"); left > 0; --left) {
+      const int dimension = cursor_.number<int>("a dimension");
+      const auto tag = cursor_.number<std::int64_t>("a tag");
+      names_[{dimension, tag}] = std::string(cursor_.quoted());
+    }
+  }
+
+  void read_entities() {
+    std::int64_t counts[4];
+    for (std::int64_t& count : counts) count = cursor_.number<std::int64_t>("a number of entities");
+    for (int dimension = 0; dimension < 4; ++dimension)
+      for (std::int64_t i = 0; i < counts[dimension]; ++i) {
+        const auto tag = cursor_.number<std::int64_t>("a tag");
+        for (int k = 0; k < (dimension == 0 ? 3 : 6); ++k) cursor_.number<double>("a coordinate");
+        std::vector<std::int64_t>& groups = groups_of_entity_[{dimension, tag}];
+        for (auto left = cursor_.number<std::int64_t>("a number of groups"); left > 0; --left)
+          groups.push_back(cursor_.number<std::int64_t>("a tag"));
+        cursor_.line();
+      }
+  }
+
+  void add_point(std::int64_t tag) {
+    const double x = cursor_.number<double>("a coordinate");
+    const double y = cursor_.number<double>("a coordinate");
+    const double z = cursor_.number<double>("a coordinate");
+    place_point(tag, {x, y, z});
+  }
+  void place_point(std::int64_t tag, Vec3 p) {
+    if (tag < 0 || tag > std::int64_t{1} << 31) cursor_.fail(fmt::format("node tag {} is out of range", tag));
+    const auto slot = static_cast<std::size_t>(tag);
+    if (slot >= point_of_tag_.size()) point_of_tag_.resize(std::max(slot + 1, point_of_tag_.size() * 2));
+    point_of_tag_[slot] = VertexId(cells_.x.size());
+    cells_.x.push_back(p.x);
+    cells_.y.push_back(p.y);
+    cells_.z.push_back(p.z);
+  }
+
+  void read_nodes() {
+    auto blocks = cursor_.number<std::int64_t>("the number of blocks");
+    cursor_.line();
+    std::vector<std::int64_t> tags;
+    for (; blocks > 0; --blocks) {
+      const int dimension = cursor_.number<int>("a dimension");
+      cursor_.number<std::int64_t>("a tag");
+      const bool parametric = cursor_.number<int>("0 or 1") != 0;
+      tags.clear();
+      for (auto left = cursor_.number<std::int64_t>("a number of nodes"); left > 0; --left)
+        tags.push_back(cursor_.number<std::int64_t>("a node tag"));
+      for (const std::int64_t tag : tags) {
+        add_point(tag);
+        for (int k = 0; parametric && k < dimension; ++k) cursor_.number<double>("a parameter");
+      }
+    }
+  }
+
+  void read_old_nodes() {
+    for (auto left = cursor_.number<std::int64_t>("the number of nodes"); left > 0; --left)
+      add_point(cursor_.number<std::int64_t>("a node tag"));
+  }
+
+  VertexId read_corner() {
+    const auto tag = cursor_.number<std::int64_t>("a node tag");
+    const bool known = tag >= 0 && static_cast<std::size_t>(tag) < point_of_tag_.size() &&
+                       point_of_tag_[static_cast<std::size_t>(tag)].valid();
+    if (!known) cursor_.fail(fmt::format("node {} does not exist", tag));
+    return point_of_tag_[static_cast<std::size_t>(tag)];
+  }
+
+  void read_cell(int type, std::int32_t number) {
+    FaceCorners corners;
+    const int count = corner_count_of(type);
+    for (int k = 0; k < count; ++k) corners[static_cast<std::size_t>(k)] = read_corner();
+    if (count >= 3) {
+      cells_.faces.push_back(corners);
+      cells_.regions.push_back(number);
+    } else if (count == 2) {
+      cells_.edges.emplace_back(corners[0], corners[1]);
+      cells_.constraints.push_back(number);
+    }
+  }
+
+  void check_type(int type) const {
+    if (corner_count_of(type) == 0)
+      cursor_.fail(
+          fmt::format("element type {} is not supported; only points, lines, triangles and quads of first "
+                      "order are",
+                      type));
+  }
+
+  // The region or line number that a group stands for.
+  std::int32_t number_of_group(int dimension, std::int64_t tag) {
+    const auto name = names_.find({dimension, tag});
+    GroupNumbers& numbers = dimension == 1 ? lines_ : regions_;
+    return numbers.number(name != names_.end() ? name->second : fmt::format("#{}", tag));
+  }
+
+  std::int32_t number_of_entity(int dimension, std::int64_t tag) {
+    const auto entity = groups_of_entity_.find({dimension, tag});
+    if (entity == groups_of_entity_.end() || entity->second.empty())
+      return dimension == 1 ? -1 : regions_.number(fmt::format("surface {}", tag));
+    std::int32_t number = -1;
+    for (const std::int64_t group : entity->second)
+      number = std::max(number, number_of_group(dimension, group));
+    return number;
+  }
+
+  void read_elements() {
+    auto blocks = cursor_.number<std::int64_t>("the number of blocks");
+    cursor_.line();
+    for (; blocks > 0; --blocks) {
+      const int dimension = cursor_.number<int>("a dimension");
+      const auto entity = cursor_.number<std::int64_t>("a tag");
+      const int type = cursor_.number<int>("an element type");
+      check_type(type);
+      const std::int32_t number = dimension == 1 || dimension == 2 ? number_of_entity(dimension, entity) : -1;
+      for (auto left = cursor_.number<std::int64_t>("a number of elements"); left > 0; --left) {
+        cursor_.number<std::int64_t>("an element tag");
+        read_cell(type, number);
+      }
+    }
+  }
+
+  void read_old_elements() {
+    for (auto left = cursor_.number<std::int64_t>("the number of elements"); left > 0; --left) {
+      cursor_.number<std::int64_t>("an element tag");
+      const int type = cursor_.number<int>("an element type");
+      check_type(type);
+      std::int64_t group = 0;
+      const int tags = cursor_.number<int>("a number of tags");
+      for (int k = 0; k < tags; ++k) {
+        const auto tag = cursor_.number<std::int64_t>("a tag");
+        if (k == 0) group = tag;
+      }
+      const int dimension = corner_count_of(type) > 2 ? 2 : 1;
+      read_cell(type, dimension == 1 && group == 0 ? -1 : number_of_group(dimension, group));
+    }
+  }
+
+  std::string path_;
+  TextCursor cursor_;
+  ReadCells cells_;
+  bool seen_format_ = false;
+  bool new_format_ = false;
+  std::map<GroupKey, std::string> names_;
+  std::map<GroupKey, std::vector<std::int64_t>> groups_of_entity_;
+  std::vector<VertexId> point_of_tag_;
+  GroupNumbers regions_ = region_numbers();
+  GroupNumbers lines_ = line_numbers();
+};
+
+}  // namespace
+
+Mesh read_msh(const std::string& path) {
+  const MappedFile file(path);
+  ReadCells cells = MshReader(path, file.text()).read();
+  return make_mesh(path, std::move(cells));
+}
+
+}  // namespace quarry

@@ -1,0 +1,28 @@
+// What a reader collects from a file, and the mesh that is made of it.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "engine/mesh/build.hpp"
+#include "engine/mesh/mesh.hpp"
+
+namespace quarry {
+
+struct ReadCells {
+  std::vector<double> x, y, z;
+  std::vector<FaceCorners> faces;
+  std::vector<std::int32_t> regions;  // one for each face
+  std::vector<std::pair<VertexId, VertexId>> edges;
+  std::vector<std::int32_t> constraints;  // one for each edge
+  std::vector<std::int32_t> kinds;        // one for each edge; empty: found from the faces
+};
+
+// The mesh with the tags region, constraint and kind; planar if all z are 0. Edges that are no side of a face
+// keep their place as long as both ends belong to faces; points without a face and edges to them are left
+// out. Throws Error(kInput) naming the path for coordinates that are not finite, and for what build_mesh
+// refuses.
+[[nodiscard]] Mesh make_mesh(const std::string& path, ReadCells cells);
+
+}  // namespace quarry

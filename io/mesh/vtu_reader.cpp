@@ -1,0 +1,155 @@
+#include "io/mesh/vtu_reader.hpp"
+
+#include <fmt/format.h>
+
+#include "engine/base/error.hpp"
+#include "io/mesh/mapped_file.hpp"
+#include "io/mesh/read_cells.hpp"
+#include "io/mesh/vtu_data.hpp"
+
+namespace quarry {
+namespace {
+
+class VtuReader {
+ public:
+  VtuReader(const std::string& path, const XmlElement& root) : path_(path), data_(path, root) {}
+
+  ReadCells read(const XmlElement& root) {
+    const XmlElement* grid = root.child("UnstructuredGrid");
+    if (grid == nullptr) refuse("it holds no UnstructuredGrid");
+    for (const XmlElement& piece : grid->children)
+      if (piece.name == "Piece") read_piece(piece);
+    if (!kinds_known_) cells_.kinds.clear();
+    return std::move(cells_);
+  }
+
+ private:
+  struct CellData {
+    std::vector<std::int64_t> region, constraint, kind;
+  };
+
+  [[noreturn]] void refuse(const std::string& message) const {
+    throw Error(ErrorKind::kInput, fmt::format("{}: {}", path_, message));
+  }
+
+  static const XmlElement* find_array(const XmlElement* parent, std::string_view name) {
+    if (parent == nullptr) return nullptr;
+    for (const XmlElement& array : parent->children)
+      if (array.name == "DataArray" && (name.empty() || array.attribute("Name") == name)) return &array;
+    return nullptr;
+  }
+
+  const XmlElement& need_array(const XmlElement& piece, std::string_view parent,
+                               std::string_view name) const {
+    const XmlElement* array = find_array(piece.child(parent), name);
+    if (array == nullptr) refuse(fmt::format("the array {} {} is missing", parent, name));
+    return *array;
+  }
+
+  void read_points(const XmlElement& piece) {
+    const XmlElement& array = need_array(piece, "Points", "");
+    const std::vector<double> values = data_.doubles(array);
+    if (values.size() % 3 != 0) data_.fail(array, "points need three coordinates each");
+    for (std::size_t i = 0; i < values.size(); i += 3) {
+      cells_.x.push_back(values[i]);
+      cells_.y.push_back(values[i + 1]);
+      cells_.z.push_back(values[i + 2]);
+    }
+  }
+
+  // One value for each cell; empty if the file has no such array.
+  std::vector<std::int64_t> read_cell_data(const XmlElement& piece, std::string_view name,
+                                           std::size_t count) const {
+    const XmlElement* array = find_array(piece.child("CellData"), name);
+    if (array == nullptr) return {};
+    std::vector<std::int64_t> values = data_.integers(*array);
+    if (values.size() != count)
+      data_.fail(*array, fmt::format("{} values for {} cells", values.size(), count));
+    return values;
+  }
+
+  void read_piece(const XmlElement& piece) {
+    first_point_ = cells_.x.size();
+    read_points(piece);
+    points_ = cells_.x.size() - first_point_;
+    const std::vector<std::int64_t> corners = data_.integers(need_array(piece, "Cells", "connectivity"));
+    const XmlElement& offset_array = need_array(piece, "Cells", "offsets");
+    const std::vector<std::int64_t> ends = data_.integers(offset_array);
+    const std::vector<std::int64_t> types = data_.integers(need_array(piece, "Cells", "types"));
+    if (ends.size() != types.size()) data_.fail(offset_array, "its length differs from that of types");
+    CellData values;
+    values.region = read_cell_data(piece, "region", types.size());
+    values.constraint = read_cell_data(piece, "constraint", types.size());
+    values.kind = read_cell_data(piece, "kind", types.size());
+    kinds_known_ = kinds_known_ && (types.empty() || !values.kind.empty());
+    std::int64_t begin = 0;
+    for (std::size_t i = 0; i < types.size(); ++i) {
+      if (ends[i] < begin || ends[i] > static_cast<std::int64_t>(corners.size()))
+        data_.fail(offset_array, fmt::format("cell {} ends outside the list of corners", i));
+      add_cell(i, types[i],
+               std::span(corners).subspan(static_cast<std::size_t>(begin),
+                                          static_cast<std::size_t>(ends[i] - begin)),
+               values);
+      begin = ends[i];
+    }
+  }
+
+  [[nodiscard]] VertexId corner(std::size_t cell, std::int64_t number) const {
+    if (number < 0 || number >= static_cast<std::int64_t>(points_))
+      refuse(fmt::format("cell {} names point {}, which does not exist", cell, number));
+    return VertexId(first_point_ + static_cast<std::size_t>(number));
+  }
+
+  void add_cell(std::size_t cell, std::int64_t type, std::span<const std::int64_t> corners,
+                const CellData& values) {
+    constexpr std::int64_t kVertex = 1, kPolyVertex = 2, kLine = 3, kPolyLine = 4, kTriangle = 5,
+                           kPolygon = 7, kPixel = 8, kQuad = 9;
+    if (type == kVertex || type == kPolyVertex) return;
+    const std::size_t count = corners.size();
+    if ((type == kLine && count == 2) || (type == kPolyLine && count >= 2))
+      return add_lines(cell, corners, values);
+    const bool triangle = count == 3 && (type == kTriangle || type == kPolygon);
+    const bool quad = count == 4 && (type == kQuad || type == kPolygon || type == kPixel);
+    if (!triangle && !quad)
+      refuse(fmt::format(
+          "cell {} is of VTK type {} with {} corners; only lines, triangles and quads are supported", cell,
+          type, count));
+    FaceCorners face;
+    for (std::size_t k = 0; k < count; ++k) face[k] = corner(cell, corners[k]);
+    if (type == kPixel) std::swap(face[2], face[3]);
+    cells_.faces.push_back(face);
+    cells_.regions.push_back(value_of(values.region, cell, 0));
+  }
+
+  void add_lines(std::size_t cell, std::span<const std::int64_t> corners, const CellData& values) {
+    for (std::size_t k = 0; k + 1 < corners.size(); ++k) {
+      cells_.edges.emplace_back(corner(cell, corners[k]), corner(cell, corners[k + 1]));
+      cells_.constraints.push_back(value_of(values.constraint, cell, -1));
+      cells_.kinds.push_back(value_of(values.kind, cell, 0));
+    }
+  }
+
+  static std::int32_t value_of(const std::vector<std::int64_t>& values, std::size_t cell,
+                               std::int32_t missing) {
+    return values.empty() ? missing : static_cast<std::int32_t>(values[cell]);
+  }
+
+  const std::string& path_;
+  VtuData data_;
+  ReadCells cells_;
+  std::size_t first_point_ = 0;  // of the piece that is read
+  std::size_t points_ = 0;       // in the piece that is read
+  bool kinds_known_ = true;
+};
+
+}  // namespace
+
+Mesh read_vtu(const std::string& path) {
+  const MappedFile file(path);
+  const XmlElement root = parse_xml(path, file.text(), "AppendedData");
+  if (root.name != "VTKFile") throw Error(ErrorKind::kInput, fmt::format("{}: it is no VTK XML file", path));
+  ReadCells cells = VtuReader(path, root).read(root);
+  return make_mesh(path, std::move(cells));
+}
+
+}  // namespace quarry

@@ -1,0 +1,16 @@
+// Reads a VTK XML unstructured grid (.vtu): ascii, base64 inline, or appended raw or base64, with or without
+// zlib.
+#pragma once
+
+#include <string>
+
+#include "engine/mesh/mesh.hpp"
+
+namespace quarry {
+
+// Lines, polylines, triangles, quads, pixels and polygons of three or four corners; points as cells are
+// skipped. The cell data region, constraint and kind become tags; missing ones are found as MeshFileTags
+// says. Other data are not read. Throws Error(kInput) with the array or the cell.
+[[nodiscard]] Mesh read_vtu(const std::string& path);
+
+}  // namespace quarry

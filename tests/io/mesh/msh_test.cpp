@@ -1,0 +1,119 @@
+#include <array>
+#include <cstdio>
+#include <map>
+
+#include <gtest/gtest.h>
+
+#include "engine/base/error.hpp"
+#include "io/mesh/msh_format.hpp"
+#include "tests/io/mesh/sample_mesh.hpp"
+#include "tests/io/mesh/temporary_folder.hpp"
+
+namespace quarry {
+namespace {
+
+std::string output_of(const std::string& command) {
+  std::string text;
+  if (FILE* pipe = ::popen((command + " 2>&1").c_str(), "r")) {
+    std::array<char, 4096> part{};
+    while (const std::size_t count = std::fread(part.data(), 1, part.size(), pipe))
+      text.append(part.data(), count);
+    ::pclose(pipe);
+  }
+  return text;
+}
+
+std::map<std::int32_t, int> faces_by_region(const Mesh& mesh) {
+  std::map<std::int32_t, int> counts;
+  for (const FaceId f : mesh.faces()) ++counts[MeshFileTags(mesh).region(f)];
+  return counts;
+}
+
+class Gmsh : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (output_of("command -v gmsh").empty()) GTEST_SKIP() << "gmsh is not installed";
+  }
+  TemporaryFolder folder_;
+};
+
+TEST_F(Gmsh, OpensWhatIsWritten) {
+  const Mesh mesh = make_sample_mesh({.size = 9});
+  write_msh(folder_.file("mesh.msh"), mesh, {.fields = {{"quarry_version", "0.1.0"}}, .scaled_jacobian = {}});
+  const std::string said =
+      output_of("gmsh -format msh41 -o " + folder_.file("again.msh") + " -0 " + folder_.file("mesh.msh"));
+  EXPECT_EQ(said.find("Error"), std::string::npos) << said;
+  EXPECT_EQ(said.find("Warning"), std::string::npos) << said;
+  const Mesh again = read_msh(folder_.file("again.msh"));
+  // Gmsh itself writes 16 digits, so that coordinates differ in the last bits: count what is in each group.
+  EXPECT_EQ(faces_by_region(again), faces_by_region(mesh));
+}
+
+TEST_F(Gmsh, WritesWhatCanBeRead) {
+  const std::string geometry =
+      folder_.file("square.geo",
+                   "SetFactory(\"OpenCASCADE\");\nRectangle(1) = {0, 0, 0, 2, 1};\n"
+                   "Physical Surface(\"rock\") = {1};\nPhysical Curve(\"line_4\") = {1};\n"
+                   "Mesh.MeshSizeMax = 0.2;\n");
+  for (const char* format : {"msh41", "msh22"}) {
+    const std::string path = folder_.file("square.msh");
+    const std::string said =
+        output_of(std::string("gmsh -2 -format ") + format + " -o " + path + " " + geometry);
+    const Mesh mesh = read_msh(path);
+    EXPECT_GT(mesh.count_alive_faces(), 50U) << said;
+    ASSERT_GT(mesh.edge_slots(), 5U);
+    const MeshFileTags tags(mesh);
+    EXPECT_EQ(tags.constraint(EdgeId(std::size_t{0})), 4);
+    EXPECT_EQ(tags.kind(EdgeId(std::size_t{0})), kOuterBoundary);
+  }
+}
+
+constexpr const char* kOldMesh =
+    "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n2\n1 5 \"line_2\"\n2 6 "
+    "\"region_1\"\n$EndPhysicalNames\n"
+    "$Nodes\n4\n10 0 0 0\n20 1 0 0\n30 1 1 0\n40 0 1 0\n$EndNodes\n"
+    "$Elements\n3\n1 1 2 5 1 10 20\n2 15 2 0 1 10\n3 3 2 6 1 10 20 30 40\n$EndElements\n";
+
+TEST(MshReader, ReadsTheOldFormat) {
+  const TemporaryFolder folder;
+  const Mesh mesh = read_msh(folder.file("old.msh", kOldMesh));
+  const MeshFileTags tags(mesh);
+  ASSERT_EQ(mesh.face_slots(), 1U);
+  EXPECT_EQ(tags.region(FaceId(std::size_t{0})), 1);
+  ASSERT_EQ(mesh.edge_slots(), 1U);
+  EXPECT_EQ(tags.constraint(EdgeId(std::size_t{0})), 2);
+  EXPECT_EQ(tags.kind(EdgeId(std::size_t{0})), kOuterBoundary);
+}
+
+void expect_error(const std::string& from, const std::string& to, const std::string& message) {
+  const TemporaryFolder folder;
+  std::string text = kOldMesh;
+  text.replace(text.find(from), from.size(), to);
+  try {
+    static_cast<void>(read_msh(folder.file("old.msh", text)));
+    FAIL() << "no error";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::kInput);
+    EXPECT_NE(error.message().find(message), std::string::npos) << error.message();
+  }
+}
+
+TEST(MshReader, NamesTheLineOfABrokenNumber) {
+  expect_error("30 1 1 0", "30 1 x 0", "old.msh:13: a coordinate is expected, not \"x\"");
+}
+TEST(MshReader, NamesANodeThatDoesNotExist) {
+  expect_error("10 20 30 40\n", "10 20 31 40\n", "node 31 does not exist");
+}
+TEST(MshReader, RefusesBinaryFiles) { expect_error("2.2 0 8", "2.2 1 8", "a binary file; save it as ASCII"); }
+TEST(MshReader, RefusesUnknownVersions) {
+  expect_error("2.2 0 8", "4.0 0 8", "Gmsh format 4.0 is not known");
+}
+TEST(MshReader, RefusesVolumeElements) {
+  expect_error("3 3 2 6", "3 4 2 6", "element type 4 is not supported");
+}
+TEST(MshReader, RefusesFilesWithoutAFormat) {
+  expect_error("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n", "", "no $MeshFormat");
+}
+
+}  // namespace
+}  // namespace quarry
