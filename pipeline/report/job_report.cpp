@@ -1,0 +1,163 @@
+#include "pipeline/report/job_report.hpp"
+
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+#include <sys/resource.h>
+
+#include "io/atomic_file.hpp"
+
+namespace quarry {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const std::vector<ReportItem>& items) {
+  Json object = Json::object();
+  for (const ReportItem& item : items)
+    std::visit([&](const auto& value) { object[item.name] = value; }, item.value);
+  return object;
+}
+
+Json json_of(const ValueRange& range) {
+  return {{"min", range.min}, {"mean", range.mean}, {"max", range.max}};
+}
+
+// Histograms are counts of faces.
+Json json_of(const ShapeSummary& shape) {
+  Json object;
+  object["faces"] = shape.faces;
+  Json& jacobian = object["scaled_jacobian"] = json_of(shape.scaled_jacobian);
+  jacobian["share_below_0.2"] = shape.share(shape.scaled_jacobian_below_0p2);
+  jacobian["share_not_positive"] = shape.share(shape.scaled_jacobian_not_positive);
+  jacobian["histogram_0.1"] = shape.scaled_jacobian_histogram;
+  Json& angle = object["min_angle"] = json_of(shape.min_angle);
+  angle["histogram_10_degrees"] = shape.min_angle_histogram;
+  object["max_angle"] = {{"max", shape.max_angle}, {"share_over_150", shape.share(shape.max_angle_over_150)}};
+  Json& lo = object["lo_measure"] = json_of(shape.lo_measure);
+  lo["histogram_0.1"] = shape.lo_histogram;
+  object["aspect"] = json_of(shape.aspect);
+  object["shortest_edge"] = shape.shortest_edge;
+  return object;
+}
+
+Json json_of(const ValenceSummary& valence) {
+  Json histogram = Json::object();
+  for (std::size_t i = 0; i < valence.histogram.size(); ++i)
+    if (valence.histogram[i] != 0) histogram[std::to_string(i)] = valence.histogram[i];
+  return {{"regular", valence.regular},
+          {"interior_vertices", valence.interior},
+          {"irregular_share", valence.irregular_share()},
+          {"free_vertices", valence.free},
+          {"free_irregular_share", valence.free_irregular_share()},
+          {"histogram", std::move(histogram)}};
+}
+
+Json json_of(const QualitySummary& quality) {
+  Json object;
+  object["vertices"] = quality.vertices;
+  object["triangles"] = quality.triangles.faces;
+  object["quads"] = quality.quads.faces;
+  object["area"] = quality.area;
+  object["boundary_length"] = quality.boundary_length;
+  object.update(json_of(quality.all));
+  // With both sorts of faces, measures that mean different things for them are told apart as well.
+  if (quality.triangles.faces != 0 && quality.quads.faces != 0) {
+    object["of_triangles"] = json_of(quality.triangles);
+    object["of_quads"] = json_of(quality.quads);
+  }
+  object["valence"] = json_of(quality.valence);
+  return object;
+}
+
+Json lines_json(const JobReport& report) {
+  Json lines = Json::array();
+  for (std::size_t i = 0; i < report.lines.size(); ++i) {
+    const LedgerEntry& entry = report.lines[LineId(i)];
+    Json with = Json::array();
+    for (const LineId other : entry.with) with.push_back(other.value());
+    lines.push_back({{"line", i},
+                     {"fate", name_of(entry.fate)},
+                     {"with", std::move(with)},
+                     {"why", entry.why},
+                     {"moved", entry.moved},
+                     {"clipped_length", entry.clipped_length}});
+  }
+  return lines;
+}
+
+Json constraints_json(const JobReport& report) {
+  Json lines = Json::array();
+  double largest = 0;
+  for (std::size_t i = 0; i < report.line_distances.size(); ++i) {
+    const double distance = report.line_distances[LineId(i)];
+    if (std::isnan(distance)) continue;
+    largest = std::max(largest, distance);
+    lines.push_back({{"line", i}, {"largest_distance", distance}});
+  }
+  return {{"largest_distance", largest}, {"lines", std::move(lines)}};
+}
+
+Json regions_json(const JobReport& report) {
+  Json regions = Json::array();
+  for (const RegionSummary& region : report.regions)
+    regions.push_back({{"region", region.region}, {"faces", region.faces}, {"area", region.area}});
+  return regions;
+}
+
+Json passes_json(const JobReport& report) {
+  Json passes = Json::array();
+  for (const PassReport& pass : report.passes)
+    passes.push_back(
+        {{"name", pass.name}, {"rounds", pass.rounds}, {"proposed", pass.proposed}, {"won", pass.won}});
+  return passes;
+}
+
+Json times_json(const JobReport& report) {
+  Json times = Json::object();
+  double total = 0;
+  for (const auto& [stage, seconds] : report.times) {
+    times[stage] = seconds;
+    total += seconds;
+  }
+  times["total"] = total;
+  return times;
+}
+
+// Names of files may hold bytes that are no UTF-8: they are replaced, not refused.
+std::string dump(const Json& json) { return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n"; }
+
+}  // namespace
+
+std::string report_text(const JobReport& report) {
+  Json json;
+  json["command"] = report.command;
+  json["quarry_version"] = report.version;
+  json["options"] = json_of(report.options);
+  json["counts"] = json_of(report.counts);
+  json["quality"] = json_of(report.quality);
+  json["input"] = {{"files", report.input_files},
+                   {"hash", report.input_hash},
+                   {"outline", report.outline},
+                   {"lines", lines_json(report)}};
+  json["constraints"] = constraints_json(report);
+  json["regions"] = regions_json(report);
+  json["passes"] = passes_json(report);
+  json["notes"] = report.notes;
+  json["times"] = times_json(report);
+  json["peak_memory_bytes"] = peak_memory_bytes();
+  json["threads"] = report.threads;
+  return dump(json);
+}
+
+void write_report(const std::string& path, const JobReport& report) { write_file(path, report_text(report)); }
+
+std::string quality_text(const QualitySummary& quality) { return dump(json_of(quality)); }
+
+std::uint64_t peak_memory_bytes() {
+  rusage usage{};
+  ::getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
+}
+
+}  // namespace quarry
