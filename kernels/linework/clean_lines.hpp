@@ -54,6 +54,7 @@ struct CleanCounts {
   std::uint32_t rounds = 0;        // of snapping and crossing
   std::uint32_t crossings = 0;     // that became nodes
   std::uint32_t bends = 0;         // nodes that a foreign piece was bent through
+  std::uint32_t anchors = 0;       // nodes that bring a line that drifts away back to its raw course
   std::uint32_t merges = 0;        // nodes merged because the rounds ran out
   std::uint32_t simplified = 0;    // bends removed within the tolerance
   std::uint32_t collapsed = 0;     // pieces collapsed for being short

@@ -8,6 +8,7 @@
 #include "engine/geometry/segment.hpp"
 #include "engine/parallel/parallel.hpp"
 #include "kernels/linework/node_buckets.hpp"
+#include "kernels/linework/raw_stretch.hpp"
 
 namespace quarry::linework {
 namespace {
@@ -16,6 +17,9 @@ namespace {
 constexpr std::uint32_t kRoundsBeforeMerging = 8;
 // After this many rounds in all, everything is settled by merging.
 constexpr std::uint32_t kRounds = 64;
+// How far an edge may be from its raw stretch before it is anchored, in snapping distances: more than the
+// sqrt(2) that joining points to nodes can make.
+constexpr double kDrift = 1.75;
 constexpr std::size_t kQueriesPerChunk = 256;
 
 // A node nearer than snap to an edge that does not end there.
@@ -130,7 +134,45 @@ class Noder {
     counts_.bends += static_cast<std::uint32_t>(insertions.size());
     network_.insert(insertions);
     finish_merging();
+    if (!out_of_rounds()) anchor_drifting_paths();
     return true;
+  }
+
+  // A long edge that is bent through one node after another of a line that slowly leaves it would be drawn
+  // along with that line (the drift of iterated snap rounding: Packer 2008). Where an edge is too far from
+  // the stretch that it stands for, the path is brought back to the raw line by a node on it.
+  void anchor_drifting_paths() {
+    for (Path& path : network_.paths) {
+      if (network_.raw[path.raw].rigid) continue;
+      for (std::size_t i = 0; i + 1 < path.steps.size(); ++i) {
+        const double at = anchor(path, i);
+        if (!(at > path.steps[i].at && at < path.steps[i + 1].at)) continue;
+        const Vec2 place = raw_point(network_.raw[path.raw].points, at);
+        if (buckets_.nearest(place).valid()) continue;
+        const NodeId node = add_node(place, path.outline);
+        path.steps.insert(path.steps.begin() + static_cast<std::ptrdiff_t>(i) + 1, {node, at});
+        ++counts_.anchors;
+      }
+    }
+  }
+
+  // The parameter at which a path should return to its raw line between two steps; that of the first if it
+  // need not.
+  double anchor(const Path& path, std::size_t i) const {
+    const PathStep& from = path.steps[i];
+    const PathStep& to = path.steps[i + 1];
+    const Vec2 a = network_.nodes[from.node];
+    const Vec2 b = network_.nodes[to.node];
+    const double limit = kDrift * snap_;
+    const std::span<const Vec2> raw = network_.raw[path.raw].points;
+    if (distance(a, b) < 2 * limit || deviation(raw, from.at, to.at, a, b) <= limit) return from.at;
+    const double from_gap = distance(raw_point(raw, from.at), a);
+    const double to_gap = distance(raw_point(raw, to.at), b);
+    // As far along as will not make a sharp corner of it.
+    if (std::max(from_gap, to_gap) > limit)
+      return from_gap > to_gap ? advance(raw, from.at, to.at, 3 * from_gap)
+                               : advance(raw, to.at, from.at, 3 * to_gap);
+    return farthest_vertex(raw, from.at, to.at, a, b);
   }
 
   Insertion insertion_of(NodeId node, std::uint32_t edge, const std::vector<Segment>& segments) const {
@@ -281,12 +323,16 @@ class Noder {
     if (near.valid() && (!outline || on_outline_[near.value()] != 0)) return near;
     // Rather the node onto the outline than the outline through the node.
     if (near.valid()) return put_on_outline(near, x);
-    const NodeId node = network_.nodes.push_back(x);
-    buckets_.insert(node, x);
+    ++counts_.crossings;
+    return add_node(x, outline);
+  }
+
+  NodeId add_node(Vec2 at, bool outline) {
+    const NodeId node = network_.nodes.push_back(at);
+    buckets_.insert(node, at);
     substitute_.push_back(node);
     on_outline_.push_back(outline ? 1 : 0);
     end_of_one_.push_back(0);
-    ++counts_.crossings;
     return node;
   }
 

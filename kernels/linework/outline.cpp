@@ -100,11 +100,13 @@ struct Nesting {
 
 Nesting nest(const LineSet& lines, double near) {
   Nesting result;
-  std::vector<double> areas(lines.lines.size(), 0);
+  // By the area of the box first: that of a ring which crosses itself means nothing.
+  std::vector<std::pair<double, double>> areas(lines.lines.size());
   for (const LineId id : IdRange<LineId>(lines.lines.size())) {
     if (!is_ring(lines.lines[id])) continue;
-    areas[id.value()] = area_of(lines.lines[id].points);
-    if (areas[id.value()] > 0) result.ids.push_back(id);
+    const Box2 box = box_of(lines.lines[id].points);
+    areas[id.value()] = {box.width() * box.height(), area_of(lines.lines[id].points)};
+    if (areas[id.value()].first > 0) result.ids.push_back(id);
   }
   std::stable_sort(result.ids.begin(), result.ids.end(),
                    [&](LineId a, LineId b) { return areas[a.value()] > areas[b.value()]; });

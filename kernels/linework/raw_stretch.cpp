@@ -52,6 +52,34 @@ double deviation(std::span<const Vec2> line, double from, double to, Vec2 a, Vec
   return std::sqrt(worst);
 }
 
+double farthest_vertex(std::span<const Vec2> line, double from, double to, Vec2 a, Vec2 b) {
+  double best = from;
+  double worst = -1;
+  for (auto i = static_cast<std::size_t>(from) + 1; static_cast<double>(i) < to; ++i) {
+    const double d = squared_distance(line[i], a, b);
+    if (d > worst) {
+      worst = d;
+      best = static_cast<double>(i);
+    }
+  }
+  return best;
+}
+
+double advance(std::span<const Vec2> line, double from, double to, double along) {
+  const bool forward = from < to;
+  double at = from;
+  while (at != to) {
+    // The next vertex in this direction, or the goal.
+    const double vertex = forward ? std::floor(at) + 1 : std::ceil(at) - 1;
+    const double next = forward ? std::min(vertex, to) : std::max(vertex, to);
+    const double step = distance(raw_point(line, at), raw_point(line, next));
+    if (step >= along) return at + (next - at) * (along / step);
+    along -= step;
+    at = next;
+  }
+  return to;
+}
+
 double stretch_length(std::span<const Vec2> line, double from, double to) {
   double sum = 0;
   for_each_part(line, from, to, [&](std::size_t i, double low, double high) {

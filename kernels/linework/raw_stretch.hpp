@@ -17,6 +17,13 @@ namespace quarry::linework {
 // its end: no point of the segment is farther from the stretch than that either.
 [[nodiscard]] double deviation(std::span<const Vec2> line, double from, double to, Vec2 a, Vec2 b);
 
+// The parameter of the raw vertex strictly within the stretch that is farthest from the segment ab; `from` if
+// there is none.
+[[nodiscard]] double farthest_vertex(std::span<const Vec2> line, double from, double to, Vec2 a, Vec2 b);
+
+// The parameter reached by going a length along the line from `from` towards `to`; `to` if that comes first.
+[[nodiscard]] double advance(std::span<const Vec2> line, double from, double to, double along);
+
 // Length of the stretch.
 [[nodiscard]] double stretch_length(std::span<const Vec2> line, double from, double to);
 

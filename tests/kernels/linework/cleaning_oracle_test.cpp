@@ -1,0 +1,63 @@
+// GEOS as an oracle: where nothing comes near a tolerance, noding has one right answer.
+#include <cmath>
+#include <memory>
+
+#include <geos_c.h>
+#include <gtest/gtest.h>
+
+#include "engine/base/random.hpp"
+#include "line_samples.hpp"
+
+namespace quarry {
+namespace {
+
+struct Geos {
+  Geos() : handle(GEOS_init_r()) {}
+  ~Geos() { GEOS_finish_r(handle); }
+  Geos(const Geos&) = delete;
+  Geos& operator=(const Geos&) = delete;
+
+  GEOSGeometry* line_of(const Points& points) const {
+    GEOSCoordSequence* sequence = GEOSCoordSeq_create_r(handle, static_cast<unsigned>(points.size()), 2);
+    for (unsigned i = 0; i < points.size(); ++i)
+      GEOSCoordSeq_setXY_r(handle, sequence, i, points[i].x, points[i].y);
+    return GEOSGeom_createLineString_r(handle, sequence);
+  }
+
+  GEOSContextHandle_t handle;
+};
+
+TEST(CleaningOracle, NodesAsManyPiecesOfTheSameLengthAsGeos) {
+  const Geos geos;
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    std::vector<Points> lines;
+    for (std::uint64_t i = 0; i < 60; ++i) {
+      const auto at = [&](std::uint64_t k) { return 100 * uniform01(seed, 4 * i + k); };
+      lines.push_back({{at(0), at(1)}, {at(2), at(3)}});
+    }
+    const LineSet raw = lines_of(lines);
+    const CleanedLines result = clean_lines(raw, wide_box(raw), {1e-7, 0, 0});
+
+    std::vector<GEOSGeometry*> parts;
+    for (const Points& points : lines) parts.push_back(geos.line_of(points));
+    GEOSGeometry* all = GEOSGeom_createCollection_r(geos.handle, GEOS_MULTILINESTRING, parts.data(),
+                                                    static_cast<unsigned>(parts.size()));
+    GEOSGeometry* noded = GEOSNode_r(geos.handle, all);
+    ASSERT_NE(noded, nullptr);
+    double length = 0;
+    GEOSLength_r(geos.handle, noded, &length);
+    double own = 0;
+    for (const Piece& piece : result.lines.pieces)
+      if (piece.kind == PieceKindOf::kInterior)
+        own += distance(result.lines.nodes[piece.from], result.lines.nodes[piece.to]);
+    EXPECT_EQ(interior_pieces(result.lines),
+              static_cast<std::size_t>(GEOSGetNumGeometries_r(geos.handle, noded)))
+        << "seed " << seed;
+    EXPECT_NEAR(own, length, 1e-9 * length) << "seed " << seed;
+    GEOSGeom_destroy_r(geos.handle, noded);
+    GEOSGeom_destroy_r(geos.handle, all);
+  }
+}
+
+}  // namespace
+}  // namespace quarry
