@@ -44,7 +44,11 @@ Lattice make_lattice(const Box2& box, const CrisscrossOptions& options) {
   // A lattice turned by a quarter is the same lattice.
   const double angle = std::remainder(options.angle_degrees, 90.0) * std::numbers::pi / 180;
   if (angle == 0)
-    return {make_axis(box.low.x, box.high.x, options.cell), make_axis(box.low.y, box.high.y, options.cell), 1, 0, {}};
+    return {make_axis(box.low.x, box.high.x, options.cell),
+            make_axis(box.low.y, box.high.y, options.cell),
+            1,
+            0,
+            {}};
   const double cosine = std::cos(angle);
   const double sine = std::sin(angle);
   const Vec2 center = box.center();
@@ -71,7 +75,8 @@ Mesh make_crisscross(const Box2& box, const CrisscrossOptions& options) {
   std::vector<double> x((columns + 1) * (rows + 1));
   std::vector<double> y(x.size());
   parallel::for_each(x.size(), [&](std::size_t v) {
-    const Vec2 p = lattice.point(static_cast<std::int64_t>(v % stride) - 1, static_cast<std::int64_t>(v / stride) - 1);
+    const Vec2 p =
+        lattice.point(static_cast<std::int64_t>(v % stride) - 1, static_cast<std::int64_t>(v / stride) - 1);
     x[v] = p.x;
     y[v] = p.y;
   });
@@ -80,7 +85,8 @@ Mesh make_crisscross(const Box2& box, const CrisscrossOptions& options) {
   parallel::for_each(columns * rows, [&](std::size_t cell) {
     const std::size_t i = cell % columns;
     const std::size_t j = cell / columns;
-    const VertexId a(j * stride + i), b(j * stride + i + 1), c((j + 1) * stride + i + 1), d((j + 1) * stride + i);
+    const VertexId a(j * stride + i), b(j * stride + i + 1), c((j + 1) * stride + i + 1),
+        d((j + 1) * stride + i);
     // The diagonal joins the vertices of even i + j: a and c, or b and d.
     if ((i + j) % 2 == 0) {
       faces[2 * cell] = {a, b, c, VertexId()};
