@@ -67,24 +67,39 @@ bool NodeInsertion::propose_refine(const Mesh& mesh, FaceId face, Cavity& cavity
   return true;
 }
 
-// A free corner may still do; else the face or edge that holds the node is split there, which is always possible:
-// the node lies strictly inside the one or the other.
+// A free corner may still do; else the face that holds the node is split there, or the one of its edges where that
+// leaves better triangles: a node beside an edge would leave a flat one. One of these is always possible: the node lies
+// strictly inside the face, or on the edge.
 bool NodeInsertion::propose_fallback(const Mesh& mesh, NodeId node, SideId side, bool on_edge, const Attraction& best,
                                      Cavity& cavity, Plan& plan) const {
   plan.fallback = true;
   if (best.vertex.valid() && best.after > 0.02 && best.after > 0.2 * best.before)
     return propose_attract(mesh, best, cavity, plan);
-  plan.point = state_.lines.nodes[node];
+  const Vec2 p = state_.lines.nodes[node];
+  plan.point = p;
   plan.support = Support::at(node);
   plan.side = side;
-  if (!on_edge) {
-    plan.step = Step::kSplitFace;
-    claim_split_face(mesh, side.face(), cavity);
+  plan.step = on_edge ? Step::kSplitEdge : Step::kSplitFace;
+  if (on_edge && state_.tags.constrained(side)) {
+    plan.step = Step::kConflict;
+    claim_split_edge(mesh, side, cavity);
+    cavity.will_create(0, 0);
     return true;
   }
-  plan.step = state_.tags.constrained(side) ? Step::kConflict : Step::kSplitEdge;
-  claim_split_edge(mesh, side, cavity);
-  if (plan.step == Step::kConflict) cavity.will_create(0, 0);
+  double worst = on_edge ? 2 : worst_of_face_split(mesh, side.face(), p);
+  for (int k = 0; k < 3 && !on_edge; ++k) {
+    const SideId edge(side.face(), k);
+    if (state_.tags.constrained(edge) || !mesh.neighbour(edge).valid() || !can_split_edge(mesh, edge, p)) continue;
+    const double quality = worst_of_edge_split(mesh, edge, p);
+    if (quality <= worst) continue;
+    worst = quality;
+    plan.side = edge;
+    plan.step = Step::kSplitEdge;
+  }
+  if (plan.step == Step::kSplitFace)
+    claim_split_face(mesh, side.face(), cavity);
+  else
+    claim_split_edge(mesh, plan.side, cavity);
   return true;
 }
 

@@ -32,17 +32,6 @@ void constrain(MeshEditor& editor, const State& state, VertexId a, VertexId b) {
   }
 }
 
-double worst_of_split(const Mesh& mesh, SideId s, Vec2 p) {
-  double worst = 1;
-  for (const SideId side : {s, mesh.neighbour(s)}) {
-    const Vec2 a = mesh.point(mesh.origin(side));
-    const Vec2 b = mesh.point(mesh.target(side));
-    const Vec2 c = mesh.point(mesh.origin(mesh.previous(side)));
-    worst = std::min({worst, lo_measure(a, p, c), lo_measure(p, b, c)});
-  }
-  return worst;
-}
-
 }  // namespace
 
 Exit find_exit(const Mesh& mesh, const State& state, PieceId piece) {
@@ -182,7 +171,7 @@ bool PieceInsertion::propose_fallback(const Mesh& mesh, PieceId piece, const Exi
   }
   // Splitting at the crossing leaves one crossed edge less, so it can be repeated only so often.
   if (can_split_edge(mesh, exit.side, exit.point) &&
-      worst_of_split(mesh, exit.side, exit.point) > kWorstOfForcedSplit) {
+      worst_of_edge_split(mesh, exit.side, exit.point) > kWorstOfForcedSplit) {
     plan.step = Step::kSplitHere;
     plan.side = exit.side;
     plan.point = exit.point;

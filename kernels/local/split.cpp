@@ -1,6 +1,9 @@
 #include "kernels/local/split.hpp"
 
+#include <algorithm>
+
 #include "engine/geometry/predicates.hpp"
+#include "kernels/quality/element.hpp"
 
 namespace quarry {
 namespace {
@@ -59,6 +62,25 @@ bool can_split_edge(const Mesh& mesh, SideId s, Vec2 p) {
   };
   const SideId t = mesh.neighbour(s);
   return halves_turn_left(s) && (!t.valid() || halves_turn_left(t));
+}
+
+double worst_of_edge_split(const Mesh& mesh, SideId s, Vec2 p) {
+  double worst = 1;
+  for (const SideId side : {s, mesh.neighbour(s)}) {
+    if (!side.valid()) continue;
+    const Vec2 a = mesh.point(mesh.origin(side));
+    const Vec2 b = mesh.point(mesh.target(side));
+    const Vec2 c = mesh.point(mesh.origin(mesh.previous(side)));
+    worst = std::min({worst, lo_measure(a, p, c), lo_measure(p, b, c)});
+  }
+  return worst;
+}
+
+double worst_of_face_split(const Mesh& mesh, FaceId f, Vec2 p) {
+  const Vec2 a = mesh.point(mesh.corner(f, 0));
+  const Vec2 b = mesh.point(mesh.corner(f, 1));
+  const Vec2 c = mesh.point(mesh.corner(f, 2));
+  return std::min({lo_measure(a, b, p), lo_measure(b, c, p), lo_measure(c, a, p)});
 }
 
 void claim_split_edge(const Mesh& mesh, SideId s, Cavity& cavity) {

@@ -10,6 +10,10 @@ namespace quarry {
 // True if every triangle that splitting the edge of s at p would make turns left (exact).
 [[nodiscard]] bool can_split_edge(const Mesh& mesh, SideId s, Vec2 p);
 
+// Lo's measure of the worst triangle that splitting the edge of s, or the face, at p would make.
+[[nodiscard]] double worst_of_edge_split(const Mesh& mesh, SideId s, Vec2 p);
+[[nodiscard]] double worst_of_face_split(const Mesh& mesh, FaceId f, Vec2 p);
+
 // Claims the corners of the faces at the edge and announces the new vertex and faces.
 void claim_split_edge(const Mesh& mesh, SideId s, Cavity& cavity);
 
