@@ -47,7 +47,8 @@ expect "Gmsh's format" 0 "$QUARRY" mesh "$SECTION" -o "$OUT/section.msh" --size 
 expect "clean" 0 "$QUARRY" clean "$SECTION" -o "$OUT/clean.geojson" --snap 0.5
 expect "the cleaned lines are JSON" 0 python3 -m json.tool "$OUT/clean.geojson"
 expect "quality" 0 "$QUARRY" quality "$OUT/1.vtu" --json
-expect "quality prints JSON" 0 python3 -m json.tool "$OUT/stdout"
+cp "$OUT/stdout" "$OUT/quality.json"
+expect "quality prints JSON" 0 python3 -m json.tool "$OUT/quality.json"
 expect "picture" 0 "$QUARRY" picture "$OUT/1.vtu" -o "$OUT/section.svg"
 
 printf '{"type": "FeatureCollection", "features": [' > "$OUT/broken.geojson"
