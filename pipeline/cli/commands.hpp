@@ -1,12 +1,17 @@
-// The subcommands of `quarry`. Each adds itself to the program; what it does runs as a callback after parsing.
+// The subcommands of `quarry`. Each adds itself to the program; what it does runs as a callback after
+// parsing, and fails by throwing Error.
 #pragma once
 
 #include <CLI/CLI.hpp>
 
-#include "engine/base/progress.hpp"
-
 namespace quarry::cli {
 
-void add_mesh_command(CLI::App& program, const Progress& progress);
+void add_mesh_command(CLI::App& program);
+void add_clean_command(CLI::App& program);
+void add_quality_command(CLI::App& program);
+void add_convert_command(CLI::App& program);
+void add_picture_command(CLI::App& program);
+// Commands whose place is kept: generate, batch, improve, adapt.
+void add_planned_commands(CLI::App& program);
 
 }  // namespace quarry::cli

@@ -1,42 +1,85 @@
 // The command `quarry`: reads arguments, calls a job, prints. No algorithm lives here.
-#include <csignal>
+#include <algorithm>
 #include <exception>
+#include <new>
+#include <string>
 
-#include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include "engine/base/error.hpp"
 #include "engine/base/log.hpp"
-#include "engine/base/progress.hpp"
 #include "pipeline/cli/commands.hpp"
+#include "pipeline/cli/interrupt.hpp"
 
+namespace quarry::cli {
 namespace {
 
-quarry::CancellationToken& interrupted() {
-  static quarry::CancellationToken token;
-  return token;
+constexpr const char* kFooter =
+    "\nquarry CMD --help tells the options of a command. Messages go to stderr, results asked for to "
+    "stdout.\n"
+    "Exit codes: 0 done, 1 a bug in quarry, 2 usage, 3 input cannot be read or is invalid, 4 geometry cannot "
+    "be\n"
+    "meshed as asked, 5 a stated budget ran out, 6 a quality demand is not met, 7 output cannot be written,\n"
+    "130 interrupted. Output files appear whole or not at all.";
+
+void add_commands(CLI::App& program) {
+  program.set_version_flag("--version", "quarry " QUARRY_VERSION, "the version, and nothing else");
+  program.set_help_flag("-h,--help", "this text");
+  program.require_subcommand(1);
+  program.footer(kFooter);
+  program.get_formatter()->column_width(34);
+  add_mesh_command(program);
+  add_clean_command(program);
+  add_quality_command(program);
+  add_convert_command(program);
+  add_picture_command(program);
+  add_planned_commands(program);
 }
 
-void on_interrupt(int) { interrupted().cancel(); }
+// The parser's own words for a word that is no command do not name it.
+void require_known_command(const CLI::App& program, int argc, char** argv) {
+  if (argc < 2) throw Error(ErrorKind::kUsage, "no command is given; quarry --help lists them");
+  const std::string name = argv[1];
+  const auto called = [&](const CLI::App* command) { return command->get_name() == name; };
+  if (!name.starts_with("-") && program.get_subcommands(called).empty())
+    throw Error(ErrorKind::kUsage, fmt::format("there is no command '{}'; quarry --help lists them", name));
+}
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  std::signal(SIGINT, on_interrupt);
-  CLI::App program{"Quads and triangles from line work, with every line kept", "quarry"};
-  program.require_subcommand(1);
-  const quarry::Progress progress({}, &interrupted());
-  quarry::cli::add_mesh_command(program, progress);
+int parse_and_run(CLI::App& program, int argc, char** argv) {
   try {
+    require_known_command(program, argc, argv);
     program.parse(argc, argv);
     return 0;
   } catch (const CLI::ParseError& error) {
-    const int code = program.exit(error);
-    return code == 0 ? 0 : static_cast<int>(quarry::ErrorKind::kUsage);
-  } catch (const quarry::Error& error) {
-    quarry::log::write_error(error.message());
-    return error.exit_code();
-  } catch (const std::exception& error) {
-    quarry::log::write_error(error.what());
-    return static_cast<int>(quarry::ErrorKind::kBug);
+    // Help and version come as exceptions with code 0.
+    if (error.get_exit_code() == 0) return program.exit(error);
+    std::string line = error.what();
+    std::replace(line.begin(), line.end(), '\n', ' ');
+    throw Error(ErrorKind::kUsage, line);
   }
+}
+
+int run(int argc, char** argv) {
+  CLI::App program{"Quadrilaterals and triangles from line work, with every line kept.", "quarry"};
+  try {
+    add_commands(program);
+    return parse_and_run(program, argc, argv);
+  } catch (const Error& error) {
+    log::write_error(error.message());
+    return error.exit_code();
+  } catch (const std::bad_alloc&) {
+    log::write_error("out of memory; take a larger --size, or run it where there is more");
+    return static_cast<int>(ErrorKind::kBudget);
+  } catch (const std::exception& error) {
+    log::write_error(fmt::format("a bug in quarry: {}", error.what()));
+    return static_cast<int>(ErrorKind::kBug);
+  }
+}
+
+}  // namespace
+}  // namespace quarry::cli
+
+int main(int argc, char** argv) {
+  quarry::cli::catch_interrupts();
+  return quarry::cli::run(argc, argv);
 }

@@ -1,68 +1,111 @@
 #include <memory>
+#include <utility>
 
+#include <fmt/format.h>
+
+#include "engine/base/error.hpp"
 #include "engine/base/log.hpp"
-#include "engine/parallel/parallel.hpp"
-#include "io/mesh/vtu_writer.hpp"
+#include "io/mesh/mesh_format.hpp"
 #include "kernels/quality/face.hpp"
 #include "kernels/quality/summary.hpp"
 #include "pipeline/cli/commands.hpp"
-#include "pipeline/section/section.hpp"
+#include "pipeline/cli/config_file.hpp"
+#include "pipeline/cli/mesh_arguments.hpp"
+#include "pipeline/cli/outputs.hpp"
+#include "pipeline/cli/progress_bar.hpp"
+#include "pipeline/cli/summary_text.hpp"
+#include "pipeline/section/section_report.hpp"
 
 namespace quarry::cli {
 namespace {
 
-struct MeshArguments {
-  SectionOptions section;
-  std::string output;
-  std::string elements = "quad", preset = "default", orient = "0";
-  int threads = 0;
-  bool verbose = false;
-};
+void check(MeshArguments& arguments) {
+  fill_section(arguments);
+  check_mesh_extension(arguments.output);
+  std::vector<std::string> inputs = arguments.section.inputs;
+  inputs.push_back(arguments.section.boundary);
+  check_outputs({arguments.output, arguments.report, arguments.picture}, inputs);
+}
 
-void run(const MeshArguments& arguments, const Progress& progress) {
-  const SectionResult result = mesh_section(arguments.section, progress);
+void write_mesh_file(const MeshArguments& arguments, const SectionResult& result, const std::string& hash) {
+  const std::vector<double> jacobians = scaled_jacobians(result.mesh);
   MeshWriteOptions options;
-  write_vtu(arguments.output, result.mesh, options);
+  options.fields = {{"quarry_version", QUARRY_VERSION},
+                    {"input_hash", hash},
+                    {"options", option_text(resolved_options(arguments.section, result))}};
+  options.scaled_jacobian = jacobians;
+  options.compress = arguments.compress;
+  write_mesh(arguments.output, result.mesh, options);
+}
+
+// What was asked for beside what changes the mesh, so that the report tells how to run the job again.
+void add_running_options(const MeshArguments& arguments, JobReport& report) {
+  report.options.insert(report.options.end(), {{"max-elements", arguments.section.max_elements},
+                                               {"output", arguments.output},
+                                               {"report", arguments.report},
+                                               {"picture", arguments.picture},
+                                               {"compress", arguments.compress},
+                                               {"require", arguments.require},
+                                               {"config", arguments.config}});
+}
+
+void write_job_report(const MeshArguments& arguments, const SectionResult& result, const std::string& hash,
+                      const QualitySummary& quality) {
+  if (arguments.report.empty()) return;
+  JobReport report = report_section(arguments.section, result, quality);
+  report.command = "mesh";
+  report.version = QUARRY_VERSION;
+  report.input_hash = hash;
+  report.threads = arguments.common.resolved_threads();
+  add_running_options(arguments, report);
+  write_report(arguments.report, report);
+}
+
+void run(MeshArguments& arguments) {
+  check(arguments);
+  const std::vector<Demand> demands = parse_demands(arguments.require);
+  ProgressBar bar(!arguments.common.quiet);
+  const Progress progress = bar.progress();
+  arguments.section.on_prediction = [&bar](double elements, double bytes) {
+    bar.clear();
+    log::info("about {:.3g} elements and at most {:.3g} MB of memory are to be expected", elements,
+              bytes / 1e6);
+  };
+  const std::string hash = hash_inputs(arguments.section);
+  SectionResult result = mesh_section(arguments.section, progress);
+  StageClock clock(progress);
+  clock.start("measuring");
   const QualitySummary quality = summarize_quality(result.mesh);
-  for (const StageTime& stage : result.times) log::detail("{:12} {:8.1f} ms", stage.name, 1e3 * stage.seconds);
-  const DeferredReport& d = result.deferred;
-  log::detail("nodes {} pieces {} attractions {} taken {} flips {} splits {} fallbacks {} rebuilt {} most tries {}",
-              result.cleaned.lines.nodes.size(), result.cleaned.lines.pieces.size(), d.attractions, d.taken, d.flips,
-              d.splits, d.fallbacks, d.rebuilt, d.most_tries);
-  log::detail("rounds {} + {}, proposed {} + {}, won {} + {}", d.nodes.rounds, d.pieces.rounds, d.nodes.proposed,
-              d.pieces.proposed, d.nodes.won, d.pieces.won);
-  log::detail("pairs {} singles {}", result.pairing.pairs, result.pairing.singles);
-  const ShapeSummary& q = quality.all;
-  log::info("{} faces, {} regions, scaled Jacobian min {:.3f} mean {:.4f}, below 0.2 {:.4f}%, irregular {:.2f}%, "
-            "aspect {:.2f}, smallest angle {:.2f} (lines {:.2f}), 80-90 {:.1f}%",
-            q.faces, result.regions, q.scaled_jacobian.min, q.scaled_jacobian.mean,
-            100 * q.share(q.scaled_jacobian_below_0p2), 100 * quality.valence.irregular_share(), q.aspect.max,
-            q.min_angle.min, result.cleaned.counts.smallest_angle, 100 * q.share(q.min_angle_histogram[8]));
+  clock.start("writing");
+  try {
+    require_demands(demands, result.mesh, quality);
+  } catch (const Error&) {
+    // The report tells what the mesh would have been like.
+    write_job_report(arguments, result, hash, quality);
+    throw;
+  }
+  write_mesh_file(arguments, result, hash);
+  clock.stop();
+  result.times.insert(result.times.end(), clock.times().begin(), clock.times().end());
+  write_job_report(arguments, result, hash, quality);
+  bar.clear();
+  tell_lines(result);
+  tell_quality(quality);
+  tell_effort(result, arguments.common.resolved_threads());
+  log::info("wrote {}", arguments.output);
 }
 
 }  // namespace
 
-void add_mesh_command(CLI::App& program, const Progress& progress) {
-  CLI::App* command = program.add_subcommand("mesh", "lines (2D section, trace map) -> mesh");
+void add_mesh_command(CLI::App& program) {
+  CLI::App* command = program.add_subcommand("mesh", "lines (section, trace map) -> mesh");
   const auto arguments = std::make_shared<MeshArguments>();
-  SectionOptions& section = arguments->section;
-  command->add_option("inputs", section.inputs, "GeoJSON files")->required();
-  command->add_option("-o,--output", arguments->output, "the mesh to write")->required();
-  command->add_option("--size", section.size, "wanted edge length, in input units");
-  command->add_option("--count", section.count, "about how many elements");
-  command->add_option("--snap", section.snap, "joins raw lines nearer than this");
-  command->add_option("--min-edge", section.min_edge, "shortest piece kept");
-  command->add_option("--tolerance", section.tolerance, "largest distance of a line to its edges");
-  command->add_option("--boundary", section.boundary, "hull, box, or a file of rings");
-  command->add_option("--elements", arguments->elements, "quad or tri")->check(CLI::IsMember({"quad", "tri"}));
-  command->add_option("--preset", arguments->preset, "default or paper")->check(CLI::IsMember({"default", "paper"}));
-  command->add_option("--threads", arguments->threads, "0: all cores");
-  command->add_flag("-v", arguments->verbose, "tell more");
-  command->callback([arguments, &progress] {
-    if (arguments->verbose) log::set_level(log::Level::kVerbose);
-    arguments->section.elements = arguments->elements == "tri" ? Elements::kTriangle : Elements::kQuad;
-    arguments->section.preset = arguments->preset == "paper" ? Preset::kPaper : Preset::kDefault;
-    parallel::with_threads(arguments->threads, [&] { run(*arguments, progress); });
+  add_mesh_options(*command, *arguments);
+  command->footer(
+      "\nExample: quarry mesh traces.geojson -o traces.vtu --size 5 --boundary area.geojson --report r.json");
+  command->callback([command, arguments] {
+    if (!arguments->config.empty()) apply_config(*command, arguments->config);
+    run_job(arguments->common, [&] { run(*arguments); });
   });
 }
 

@@ -9,8 +9,9 @@
 namespace quarry {
 namespace {
 
-// Bytes a final element at the peak of a job, measured: see docs/results.md.
+// Bytes at the peak of a job, measured: see docs/results.md.
 constexpr double kBytesPerElement = 200;
+constexpr double kBytesOfAnyJob = 50e6;
 // Equilateral triangles of side h take this share of h * h.
 constexpr double kTriangleArea = 0.4330127018922193;
 
@@ -27,6 +28,8 @@ double predict_elements(const SectionOptions& options, const Box2& box, double s
   const double cells = (box.width() / size + 1) * (box.height() / size + 1);
   return options.elements == Elements::kQuad ? cells : cells / kTriangleArea;
 }
+
+double predict_bytes(double elements) { return kBytesOfAnyJob + kBytesPerElement * elements; }
 
 ResolvedLengths resolve_lengths(const SectionOptions& options, const Box2& box, double area) {
   if (options.size.has_value() == options.count.has_value())
@@ -54,7 +57,7 @@ ResolvedLengths resolve_lengths(const SectionOptions& options, const Box2& box, 
     throw Error(ErrorKind::kBudget,
                 fmt::format("a size of {:.6g} means about {:.3g} elements and {:.3g} GB of memory, beyond --max-elements "
                             "{:.3g}: take a larger --size, or raise the limit",
-                            lengths.size, elements, elements * kBytesPerElement / 1e9, options.max_elements));
+                            lengths.size, elements, predict_bytes(elements) / 1e9, options.max_elements));
   return lengths;
 }
 

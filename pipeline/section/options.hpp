@@ -1,6 +1,8 @@
 // Options of the section job: lines of a plane in, a mesh that honours them out.
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,6 +34,8 @@ struct SectionOptions {
   bool orient_auto = false;
   Preset preset = Preset::kDefault;
   std::uint64_t seed = 0;
+  // Told before meshing begins: about how many elements and how many bytes of memory it will take.
+  std::function<void(double elements, double bytes)> on_prediction;
 };
 
 // The lengths that a job works with once the size is known, all in input units.
@@ -48,5 +52,8 @@ struct ResolvedLengths {
 
 // About how many elements of the wanted size a box takes.
 [[nodiscard]] double predict_elements(const SectionOptions& options, const Box2& box, double size);
+
+// Bytes of memory that a job of so many elements takes at its peak.
+[[nodiscard]] double predict_bytes(double elements);
 
 }  // namespace quarry

@@ -104,6 +104,12 @@ void read_and_clean(const SectionOptions& options, SectionResult& result, StageC
   result.lengths.snap = result.cleaned.options.snap;
 }
 
+void tell_prediction(const SectionOptions& options, const SectionResult& result) {
+  if (!options.on_prediction) return;
+  const double elements = predict_elements(options, box_of(result.outline), result.lengths.size);
+  options.on_prediction(elements, predict_bytes(elements));
+}
+
 }  // namespace
 
 SectionResult clean_section(const SectionOptions& options, const Progress& progress) {
@@ -119,6 +125,7 @@ SectionResult mesh_section(const SectionOptions& options, const Progress& progre
   SectionResult result;
   StageClock clock(progress);
   read_and_clean(options, result, clock, progress);
+  tell_prediction(options, result);
   clock.start("start mesh");
   result.orient_degrees = options.orient_degrees;
   result.mesh = make_start(options, result);
@@ -134,7 +141,6 @@ SectionResult mesh_section(const SectionOptions& options, const Progress& progre
     result.laplacian = smooth_laplacian(result.mesh, result.cleaned.lines, LaplacianOptions(), progress);
   }
   clock.start("finishing");
-  compact(result.mesh, EntityOrder::kHilbert);
   const ConstraintTags final_tags = ConstraintTags::of(result.mesh);
   result.regions = label_regions(result.mesh, final_tags);
   extract_edges(result.mesh, final_tags, result.cleaned.lines);

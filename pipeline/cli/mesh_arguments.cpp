@@ -1,0 +1,155 @@
+#include "pipeline/cli/mesh_arguments.hpp"
+
+#include <charconv>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "engine/base/error.hpp"
+#include "pipeline/cli/not_built.hpp"
+
+namespace quarry::cli {
+namespace {
+
+void add_shape_options(CLI::App& command, MeshArguments& arguments) {
+  const auto option = [&](const char* name, auto& value, const char* type, const char* help) {
+    return command.add_option(name, value, help)->type_name(type)->group("Elements");
+  };
+  option("--elements", arguments.elements, "quad|tri|mixed",
+         "quad (default): quadrilaterals only; tri: triangles only; mixed is not built yet")
+      ->check(CLI::IsMember({"quad", "tri", "mixed"}));
+  option("--method", arguments.method, "deferred|front|blocks",
+         "deferred (default): lines are worked into a start mesh; the others are not built yet")
+      ->check(CLI::IsMember({"deferred", "front", "blocks"}));
+  option("--start", arguments.start, "4-8|delaunay|FILE",
+         "the mesh that the lines are worked into; default 4-8: a lattice of right triangles");
+  option("--orient", arguments.orient, "auto|DEGREES",
+         "turns the 4-8 lattice counter-clockwise; default 0; auto: along the longest lines");
+  option("--preset", arguments.preset, "default|paper",
+         "paper: constraint insertion as published (Araujo & Celes 2014), for comparison")
+      ->check(CLI::IsMember({"default", "paper"}));
+  option("--quads", arguments.quads, "cluster|matching",
+         "how triangles become quadrilaterals; default cluster; matching is not built yet")
+      ->check(CLI::IsMember({"cluster", "matching"}));
+  option("--cleanup", arguments.cleanup, "none|local|full",
+         "topological clean-up; default none; the others are not built yet")
+      ->check(CLI::IsMember({"none", "local", "full"}));
+  command
+      .add_flag(
+          "--keep-boundary", arguments.keep_boundary,
+          "the outline's own vertices are the boundary's vertices: none added, none moved; not built yet")
+      ->group("Elements");
+}
+
+void add_output_options(CLI::App& command, MeshArguments& arguments) {
+  const char* group = "Output";
+  command.add_option("-o,--output", arguments.output, "the mesh to write: .vtu, .msh or .obj")
+      ->type_name("OUT")
+      ->group(group);
+  command
+      .add_option("--report", arguments.report,
+                  "counts, times, quality, the fate of each line, all options; JSON")
+      ->type_name("FILE.json")
+      ->group(group);
+  command.add_option("--picture", arguments.picture, "a drawing of the mesh with its lines on top")
+      ->type_name("FILE.svg|.png")
+      ->group(group);
+  command.add_flag("--compress", arguments.compress, "zlib in a .vtu: about half the bytes, slower to write")
+      ->group(group);
+  command
+      .add_option(
+          "--require", arguments.require,
+          "exit code 6, and no mesh, unless it is met; several with commas or repeated: " + demand_help())
+      ->delimiter(',')
+      ->take_all()
+      ->allow_extra_args(false)
+      ->type_name("FIGURE=LIMIT")
+      ->group(group);
+}
+
+double parse_degrees(const std::string& text) {
+  double degrees = 0;
+  const auto [stop, failure] = std::from_chars(text.data(), text.data() + text.size(), degrees);
+  if (failure != std::errc() || stop != text.data() + text.size() || !std::isfinite(degrees))
+    throw Error(ErrorKind::kUsage, fmt::format("--orient {}: give degrees or auto", text));
+  return degrees;
+}
+
+void refuse_what_is_not_built(const MeshArguments& arguments) {
+  if (arguments.elements == "mixed") fail_not_built("--elements mixed", "use quad or tri");
+  if (arguments.method != "deferred") fail_not_built("--method " + arguments.method, "use deferred");
+  if (arguments.quads != "cluster") fail_not_built("--quads " + arguments.quads, "use cluster");
+  if (arguments.cleanup != "none") fail_not_built("--cleanup " + arguments.cleanup, "use none");
+  if (arguments.keep_boundary) fail_not_built("--keep-boundary");
+  if (!arguments.size_field.empty()) fail_not_built("--size-field", "use --size or --count");
+  if (arguments.start == "delaunay") fail_not_built("--start delaunay", "use 4-8");
+  if (arguments.start != "4-8") fail_not_built("--start with a mesh file", "use 4-8");
+  if (arguments.orient == "auto") fail_not_built("--orient auto", "give degrees");
+}
+
+}  // namespace
+
+void add_line_options(CLI::App& command, SectionOptions& section) {
+  const auto option = [&](const char* name, auto& value, const char* type, const char* help) {
+    return command.add_option(name, value, help)->type_name(type);
+  };
+  option("inputs", section.inputs, "INPUT...", "GeoJSON files with lines or polygons");
+  const char* group = "Lengths, in input units";
+  option("--size", section.size, "H", "wanted length of an element's edge")->group(group);
+  option("--snap", section.snap, "T",
+         "what comes nearer is joined, and no vertex stays nearer to a foreign line; default 0.05 H")
+      ->group(group);
+  option("--min-edge", section.min_edge, "T", "shortest piece of a line that is kept; default 0.1 H")
+      ->group(group);
+  option("--tolerance", section.tolerance, "D",
+         "largest distance of a cleaned line to its edges; default 0.05 H")
+      ->group(group);
+  option("--boundary", section.boundary, "FILE|hull|box",
+         "the outline; default: polygons of the input, else its outermost closed lines if they hold all "
+         "others, else "
+         "the box of the lines");
+}
+
+void add_mesh_options(CLI::App& command, MeshArguments& arguments) {
+  add_line_options(command, arguments.section);
+  command.add_option("--count", arguments.section.count, "about how many elements, in place of --size")
+      ->type_name("N")
+      ->group("Lengths, in input units");
+  command
+      .add_option("--size-field", arguments.size_field, "raster or points with a wanted size; not built yet")
+      ->type_name("FILE")
+      ->group("Lengths, in input units");
+  add_shape_options(command, arguments);
+  add_output_options(command, arguments);
+  command
+      .add_option("--max-elements", arguments.section.max_elements,
+                  "a job that is predicted to need more is refused with exit code 5; default 2e8")
+      ->type_name("N")
+      ->group("Running");
+  command
+      .add_option("--seed", arguments.section.seed, "of what is drawn by lot; part of the result; default 0")
+      ->type_name("S")
+      ->group("Running");
+  add_common_options(command, arguments.common);
+  command
+      .add_option("--config", arguments.config,
+                  "the same keys without dashes (inputs for the files); the command line wins")
+      ->type_name("FILE.toml")
+      ->group("Running");
+}
+
+void fill_section(MeshArguments& arguments) {
+  SectionOptions& section = arguments.section;
+  if (section.inputs.empty())
+    throw Error(ErrorKind::kUsage, "no input file is given; see quarry mesh --help");
+  if (arguments.output.empty()) throw Error(ErrorKind::kUsage, "no output is given: name it with -o OUT.vtu");
+  if (!(section.max_elements >= 1))
+    throw Error(ErrorKind::kUsage,
+                fmt::format("--max-elements is {}: it must be 1 or more", section.max_elements));
+  refuse_what_is_not_built(arguments);
+  section.elements = arguments.elements == "tri" ? Elements::kTriangle : Elements::kQuad;
+  section.preset = arguments.preset == "paper" ? Preset::kPaper : Preset::kDefault;
+  section.orient_degrees = parse_degrees(arguments.orient);
+}
+
+}  // namespace quarry::cli

@@ -1,0 +1,38 @@
+// The arguments of `quarry mesh`: declared, checked, and turned into the options of the section job.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "pipeline/cli/common_arguments.hpp"
+#include "pipeline/cli/demands.hpp"
+#include "pipeline/section/options.hpp"
+
+namespace quarry::cli {
+
+struct MeshArguments {
+  SectionOptions section;
+  CommonArguments common;
+  std::string output, report, picture, config;
+  std::vector<std::string> require;
+  bool compress = false;
+
+  // As written; fill_section() reads them.
+  std::string elements = "quad", method = "deferred", start = "4-8", orient = "0", quads = "cluster",
+              cleanup = "none", preset = "default", size_field;
+  bool keep_boundary = false;
+};
+
+// Lines in and lengths: what `quarry mesh` and `quarry clean` share.
+void add_line_options(CLI::App& command, SectionOptions& section);
+
+void add_mesh_options(CLI::App& command, MeshArguments& arguments);
+
+// Writes what was given into arguments.section. Throws Error(kUsage) for what is missing, makes no sense or
+// is not built yet.
+void fill_section(MeshArguments& arguments);
+
+}  // namespace quarry::cli

@@ -1,0 +1,13 @@
+// Outputs are looked at before a job starts: hours of work should not end at a folder that does not exist.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace quarry::cli {
+
+// Throws Error(kOutput) for an output that cannot be written, and Error(kUsage) for one that is also an input
+// or that is named twice. Empty names are passed over. No file is touched.
+void check_outputs(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs);
+
+}  // namespace quarry::cli

@@ -1,0 +1,61 @@
+#include "pipeline/cli/summary_text.hpp"
+
+#include <array>
+
+#include "engine/base/log.hpp"
+#include "pipeline/report/job_report.hpp"
+
+namespace quarry::cli {
+namespace {
+
+void tell_insertion(const SectionResult& result) {
+  const DeferredReport& d = result.deferred;
+  log::detail(
+      "insertion: {} attractions, {} flips, {} splits, {} fallbacks, {} pieces rebuilt, at most {} tries",
+      d.attractions, d.flips, d.splits, d.fallbacks, d.rebuilt, d.most_tries);
+  for (const PassReport* pass : {&d.nodes, &d.pieces})
+    log::detail("pass {}: {} rounds, {} proposed, {} won", pass->name, pass->rounds, pass->proposed,
+                pass->won);
+  log::detail("pairing: {} pairs, {} single triangles", result.pairing.pairs, result.pairing.singles);
+}
+
+}  // namespace
+
+void tell_lines(const SectionResult& result) {
+  std::array<std::size_t, 5> fates{};
+  for (const LedgerEntry& entry : result.cleaned.ledger) ++fates.at(static_cast<std::size_t>(entry.fate));
+  const auto count = [&](LineFate fate) { return fates.at(static_cast<std::size_t>(fate)); };
+  log::info(
+      "lines: {} read, of which {} kept as they are, {} split, {} joined, {} clipped, {} dropped; {} pieces",
+      result.cleaned.ledger.size(), count(LineFate::kKept), count(LineFate::kSplit), count(LineFate::kJoined),
+      count(LineFate::kClipped), count(LineFate::kDropped), result.cleaned.lines.pieces.size());
+  log::info("outline: {}; no point of a line moved more than {:.4g}", result.outline.text,
+            result.cleaned.counts.largest_move);
+  for (const std::string& note : result.cleaned.notes) log::warn("{}", note);
+}
+
+void tell_quality(const QualitySummary& quality) {
+  const ShapeSummary& q = quality.all;
+  log::info("mesh: {} quads, {} triangles, {} vertices, {} line edges", quality.quads.faces,
+            quality.triangles.faces, quality.vertices, quality.edges);
+  log::info(
+      "quality: scaled Jacobian min {:.3f}, mean {:.4f}, {:.3f}% below 0.2; smallest angle {:.2f} degrees, "
+      "{:.1f}% "
+      "in 80 to 90; longest by shortest edge at most {:.2f}; {:.2f}% of inner vertices irregular",
+      q.scaled_jacobian.min, q.scaled_jacobian.mean, 100 * q.share(q.scaled_jacobian_below_0p2),
+      q.min_angle.min, 100 * q.share(q.min_angle_histogram.back()), q.aspect.max,
+      100 * quality.valence.irregular_share());
+}
+
+void tell_effort(const SectionResult& result, int threads) {
+  double total = 0;
+  for (const StageTime& stage : result.times) {
+    log::detail("{:12} {:10.1f} ms", stage.name, 1e3 * stage.seconds);
+    total += stage.seconds;
+  }
+  if (result.mesh.face_slots() > 0) tell_insertion(result);
+  log::info("{:.2f} s on {} thread{}, peak memory {:.0f} MB", total, threads, threads == 1 ? "" : "s",
+            static_cast<double>(peak_memory_bytes()) / 1e6);
+}
+
+}  // namespace quarry::cli

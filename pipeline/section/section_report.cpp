@@ -1,0 +1,141 @@
+#include "pipeline/section/section_report.hpp"
+
+#include <array>
+#include <cstdint>
+#include <fstream>
+#include <type_traits>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "engine/base/error.hpp"
+#include "pipeline/report/line_distance.hpp"
+#include "pipeline/report/region_summary.hpp"
+
+namespace quarry {
+namespace {
+
+std::int64_t whole(std::uint64_t count) { return static_cast<std::int64_t>(count); }
+
+std::string boundary_text(const SectionOptions& options) {
+  if (options.boundary.empty()) return "default";
+  return options.boundary == "hull" || options.boundary == "box" ? options.boundary : "file";
+}
+
+std::string start_text(const SectionOptions& options) {
+  if (options.start == StartMesh::kFile) return "file";
+  return options.start == StartMesh::kDelaunay ? "delaunay" : "4-8";
+}
+
+// 64-bit FNV-1a (Fowler, Noll & Vo; RFC 9923).
+class Fnv1a {
+ public:
+  void add(unsigned char byte) { value_ = (value_ ^ byte) * 0x100000001b3ULL; }
+  void add_length(std::uint64_t length) {
+    for (int shift = 0; shift < 64; shift += 8) add(static_cast<unsigned char>(length >> shift));
+  }
+  [[nodiscard]] std::uint64_t value() const { return value_; }
+
+ private:
+  std::uint64_t value_ = 0xcbf29ce484222325ULL;
+};
+
+void add_file(Fnv1a& hash, const std::string& path) {
+  std::ifstream file(path, std::ios::binary | std::ios::ate);
+  if (!file) throw Error(ErrorKind::kInput, fmt::format("{}: cannot be read", path));
+  hash.add_length(static_cast<std::uint64_t>(file.tellg()));
+  file.seekg(0);
+  std::array<char, 1 << 16> block;
+  while (file.read(block.data(), block.size()) || file.gcount() > 0)
+    for (std::streamsize i = 0; i < file.gcount(); ++i)
+      hash.add(static_cast<unsigned char>(block[static_cast<std::size_t>(i)]));
+}
+
+std::vector<ReportItem> counts_of(const SectionResult& result, const QualitySummary& quality) {
+  const CleanCounts& c = result.cleaned.counts;
+  const DeferredReport& d = result.deferred;
+  return {{"vertices", whole(quality.vertices)},
+          {"triangles", whole(quality.triangles.faces)},
+          {"quads", whole(quality.quads.faces)},
+          {"line_edges", whole(quality.edges)},
+          {"regions", std::int64_t{result.regions}},
+          {"input_lines", whole(result.cleaned.ledger.size())},
+          {"cleaned_nodes", whole(result.cleaned.lines.nodes.size())},
+          {"cleaned_pieces", whole(result.cleaned.lines.pieces.size())},
+          {"crossings", std::int64_t{c.crossings}},
+          {"merges", std::int64_t{c.merges}},
+          {"simplified_bends", std::int64_t{c.simplified}},
+          {"collapsed_pieces", std::int64_t{c.collapsed}},
+          {"short_pieces_kept", std::int64_t{c.short_pieces}},
+          {"smallest_line_angle", c.smallest_angle},
+          {"largest_move", c.largest_move},
+          {"attractions", whole(d.attractions)},
+          {"flips", whole(d.flips)},
+          {"splits", whole(d.splits)},
+          {"fallbacks", whole(d.fallbacks)},
+          {"rebuilt_pieces", whole(d.rebuilt)},
+          {"pairs", whole(result.pairing.pairs)},
+          {"single_triangles", whole(result.pairing.singles)}};
+}
+
+}  // namespace
+
+std::vector<ReportItem> resolved_options(const SectionOptions& options, const SectionResult& result) {
+  return {{"size", result.lengths.size},
+          {"snap", result.lengths.snap},
+          {"min-edge", result.lengths.min_edge},
+          {"tolerance", result.lengths.tolerance},
+          {"boundary", boundary_text(options)},
+          {"elements", std::string(options.elements == Elements::kQuad ? "quad" : "tri")},
+          {"method", std::string("deferred")},
+          {"start", start_text(options)},
+          {"orient", result.orient_degrees},
+          {"preset", std::string(options.preset == Preset::kPaper ? "paper" : "default")},
+          {"quads", std::string("cluster")},
+          {"cleanup", std::string("none")},
+          {"seed", whole(options.seed)}};
+}
+
+std::string option_text(const std::vector<ReportItem>& options) {
+  std::string text;
+  for (const ReportItem& item : options) {
+    const std::string value = std::visit(
+        [](const auto& v) {
+          if constexpr (std::is_same_v<std::decay_t<decltype(v)>, std::vector<std::string>>)
+            return fmt::format("{}", fmt::join(v, ","));
+          else
+            return fmt::format("{}", v);
+        },
+        item.value);
+    text += fmt::format("{}{}={}", text.empty() ? "" : " ", item.name, value);
+  }
+  return text;
+}
+
+std::string hash_inputs(const SectionOptions& options) {
+  Fnv1a hash;
+  for (const std::string& path : options.inputs) add_file(hash, path);
+  if (boundary_text(options) == "file") add_file(hash, options.boundary);
+  if (options.start == StartMesh::kFile) add_file(hash, options.start_file);
+  return fmt::format("{:016x}", hash.value());
+}
+
+JobReport report_section(const SectionOptions& options, const SectionResult& result, QualitySummary quality) {
+  JobReport report;
+  report.options = resolved_options(options, result);
+  report.input_files = options.inputs;
+  report.outline = result.outline.text;
+  report.lines = result.cleaned.ledger;
+  if (result.mesh.face_slots() > 0) {
+    report.line_distances = measure_line_distances(result.mesh, result.lines, result.cleaned.ledger);
+    report.regions = summarize_regions(result.mesh);
+  }
+  report.counts = counts_of(result, quality);
+  report.quality = std::move(quality);
+  report.passes = {result.deferred.nodes, result.deferred.pieces};
+  for (const StageTime& stage : result.times) report.times.emplace_back(stage.name, stage.seconds);
+  report.notes = result.cleaned.notes;
+  return report;
+}
+
+}  // namespace quarry
