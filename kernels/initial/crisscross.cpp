@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <vector>
 
 #include "engine/mesh/build.hpp"
 #include "engine/parallel/parallel.hpp"
@@ -58,6 +57,49 @@ Lattice make_lattice(const Box2& box, const CrisscrossOptions& options) {
           make_axis(center.y - half_height, center.y + half_height, options.cell), cosine, sine, center};
 }
 
+// The cells of a lattice, in rows. Cell c has the faces 2c, which has the bottom side, and 2c + 1, which has the top.
+struct Cells {
+  std::uint32_t columns, rows;
+
+  // The diagonal joins the lower left and the upper right corner; else the other two.
+  [[nodiscard]] static bool rising(std::uint32_t i, std::uint32_t j) { return (i + j) % 2 == 0; }
+  [[nodiscard]] FaceId lower(std::uint32_t i, std::uint32_t j) const { return FaceId(2 * (j * columns + i)); }
+  [[nodiscard]] FaceId upper(std::uint32_t i, std::uint32_t j) const { return FaceId(2 * (j * columns + i) + 1); }
+
+  [[nodiscard]] SideId bottom(std::uint32_t i, std::uint32_t j) const { return {lower(i, j), 0}; }
+  [[nodiscard]] SideId top(std::uint32_t i, std::uint32_t j) const { return {upper(i, j), 1}; }
+  [[nodiscard]] SideId right(std::uint32_t i, std::uint32_t j) const {
+    return rising(i, j) ? SideId(lower(i, j), 1) : SideId(upper(i, j), 0);
+  }
+  [[nodiscard]] SideId left(std::uint32_t i, std::uint32_t j) const {
+    return rising(i, j) ? SideId(upper(i, j), 2) : SideId(lower(i, j), 2);
+  }
+};
+
+// Corners counter-clockwise: rising cells (a, b, c) and (a, c, d), falling cells (a, b, d) and (b, c, d), with a the
+// lower left corner, b the lower right, c the upper right, d the upper left.
+void fill_cell(Mesh& mesh, const Cells& cells, std::uint32_t i, std::uint32_t j) {
+  const std::uint32_t stride = cells.columns + 1;
+  const VertexId a(j * stride + i), b(a.value() + 1), d(a.value() + stride), c(d.value() + 1);
+  const FaceId lower = cells.lower(i, j);
+  const FaceId upper = cells.upper(i, j);
+  const bool rising = Cells::rising(i, j);
+  const std::array<VertexId, 3> lower_corners = {a, b, rising ? c : d};
+  const std::array<VertexId, 3> upper_corners = {rising ? a : b, c, d};
+  for (int k = 0; k < 3; ++k) {
+    mesh.set_corner(SideId(lower, k), lower_corners[static_cast<std::size_t>(k)]);
+    mesh.set_corner(SideId(upper, k), upper_corners[static_cast<std::size_t>(k)]);
+  }
+  const SideId below(lower, rising ? 2 : 1);
+  const SideId above(upper, rising ? 0 : 2);
+  mesh.set_neighbour(below, above);
+  mesh.set_neighbour(above, below);
+  if (j > 0) mesh.set_neighbour(cells.bottom(i, j), cells.top(i, j - 1));
+  if (j + 1 < cells.rows) mesh.set_neighbour(cells.top(i, j), cells.bottom(i, j + 1));
+  if (i > 0) mesh.set_neighbour(cells.left(i, j), cells.right(i - 1, j));
+  if (i + 1 < cells.columns) mesh.set_neighbour(cells.right(i, j), cells.left(i + 1, j));
+}
+
 }  // namespace
 
 double count_crisscross_triangles(const Box2& box, const CrisscrossOptions& options) {
@@ -68,35 +110,21 @@ double count_crisscross_triangles(const Box2& box, const CrisscrossOptions& opti
 
 Mesh make_crisscross(const Box2& box, const CrisscrossOptions& options) {
   const Lattice lattice = make_lattice(box, options);
-  const auto columns = static_cast<std::size_t>(lattice.x.count + 2);
-  const auto rows = static_cast<std::size_t>(lattice.y.count + 2);
-  const std::size_t stride = columns + 1;
-
-  std::vector<double> x((columns + 1) * (rows + 1));
-  std::vector<double> y(x.size());
-  parallel::for_each(x.size(), [&](std::size_t v) {
-    const Vec2 p =
-        lattice.point(static_cast<std::int64_t>(v % stride) - 1, static_cast<std::int64_t>(v / stride) - 1);
-    x[v] = p.x;
-    y[v] = p.y;
+  const Cells cells{static_cast<std::uint32_t>(lattice.x.count + 2), static_cast<std::uint32_t>(lattice.y.count + 2)};
+  const std::size_t stride = std::size_t{cells.columns} + 1;
+  Mesh mesh;
+  mesh.grow_vertices(stride * (std::size_t{cells.rows} + 1));
+  mesh.grow_faces(2 * std::size_t{cells.columns} * cells.rows);
+  parallel::for_each(mesh.vertex_slots(), [&](std::size_t v) {
+    mesh.set_point(VertexId(v), lattice.point(static_cast<std::int64_t>(v % stride) - 1,
+                                              static_cast<std::int64_t>(v / stride) - 1));
   });
-
-  std::vector<FaceCorners> faces(2 * columns * rows);
-  parallel::for_each(columns * rows, [&](std::size_t cell) {
-    const std::size_t i = cell % columns;
-    const std::size_t j = cell / columns;
-    const VertexId a(j * stride + i), b(j * stride + i + 1), c((j + 1) * stride + i + 1),
-        d((j + 1) * stride + i);
-    // The diagonal joins the vertices of even i + j: a and c, or b and d.
-    if ((i + j) % 2 == 0) {
-      faces[2 * cell] = {a, b, c, VertexId()};
-      faces[2 * cell + 1] = {a, c, d, VertexId()};
-    } else {
-      faces[2 * cell] = {a, b, d, VertexId()};
-      faces[2 * cell + 1] = {b, c, d, VertexId()};
-    }
+  parallel::for_each(std::size_t{cells.columns} * cells.rows, [&](std::size_t cell) {
+    fill_cell(mesh, cells, static_cast<std::uint32_t>(cell % cells.columns),
+              static_cast<std::uint32_t>(cell / cells.columns));
   });
-  return build_mesh(std::move(x), std::move(y), faces);
+  rebuild_sides_of_vertices(mesh);
+  return mesh;
 }
 
 }  // namespace quarry
