@@ -131,16 +131,33 @@ std::string box_text(const Box2& box) {
   return format_point(box.low.x, box.low.y) + " to " + format_point(box.high.x, box.high.y);
 }
 
+bool any_line_left(const PathNetwork& network) {
+  return std::any_of(network.paths.begin(), network.paths.end(), [&](const Path& path) {
+    return network.raw[path.raw].line.valid() && path.steps.size() > 1;
+  });
+}
+
+std::string first_file(const LineSet& lines) { return lines.files.empty() ? "input" : lines.files[0]; }
+
+void require_lines(const LineSet& lines, const PathNetwork& network, double snap) {
+  if (any_line_left(network)) return;
+  throw Error(
+      ErrorKind::kInput,
+      fmt::format(
+          "{}: every line is so short that it is one point at the snapping distance of {:g} (all lie in {}); "
+          "give a smaller size or --snap",
+          first_file(lines), snap, box_text(lines.box())));
+}
+
 void require_lines_inside(const LineSet& lines, const Outline& outline, const PathNetwork& network) {
-  for (const Path& path : network.paths)
-    if (network.raw[path.raw].line.valid() && path.steps.size() > 1) return;
+  if (any_line_left(network)) return;
   Box2 box;
   for (const OutlineRing& ring : outline.rings)
     for (const Vec2 p : ring.points) box.extend(p);
   throw Error(
       ErrorKind::kInput,
       fmt::format("{}: the outline {} holds no part of any line; the lines lie in {}; give another boundary",
-                  lines.files.empty() ? "lines" : lines.files[0], box_text(box), box_text(lines.box())));
+                  first_file(lines), box_text(box), box_text(lines.box())));
 }
 
 void require_domain(const Outline& outline, const std::vector<linework::EdgePlace>& places) {
@@ -177,6 +194,7 @@ CleanedLines clean_lines(const LineSet& lines, const Outline& outline, const Cle
 
   progress.report("clean", 0.5);
   network.build_edges();
+  require_lines(lines, network, result.options.snap);
   const auto places = linework::edge_places(network);
   require_domain(outline, places);
   const std::vector<double> clipped = linework::clip_to_domain(network, places);
@@ -185,7 +203,8 @@ CleanedLines clean_lines(const LineSet& lines, const Outline& outline, const Cle
 
   progress.report("clean", 0.7);
   linework::thin_out(network, result.options, result.counts);
-  linework::note_lost_lines(network, "is shorter than the shortest piece (min-edge)", reasons);
+  linework::note_lost_lines(network, "what is left of it is shorter than the shortest piece (min-edge)",
+                            reasons);
   network.build_edges();
   result.lines = noded_lines(network);
   progress.report("clean", 0.9);

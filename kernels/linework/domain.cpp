@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "engine/geometry/box.hpp"
-#include "engine/geometry/predicates.hpp"
 #include "engine/parallel/parallel.hpp"
 #include "kernels/linework/raw_stretch.hpp"
+#include "kernels/linework/ring_locator.hpp"
 
 namespace quarry::linework {
 namespace {
@@ -86,42 +86,22 @@ class RingEdges {
       box.extend(ends(e).first);
       box.extend(ends(e).second);
     }
-    const std::size_t rows = std::clamp<std::size_t>(edges.size() / 2, 1, 4096);
-    low_ = box.low.y;
-    height_ = box.height() / static_cast<double>(rows);
-    rows_.resize(rows);
-    for (const std::uint32_t e : edges) {
-      const auto [a, b] = ends(e);
-      for (std::size_t r = row(std::min(a.y, b.y)); r <= row(std::max(a.y, b.y)); ++r) rows_[r].push_back(e);
-    }
+    rows_ = Rows(box.low.y, box.high.y, std::clamp<std::size_t>(edges.size() / 2, 1, 4096));
+    for (const std::uint32_t e : edges) rows_.enter(e, ends(e).first.y, ends(e).second.y);
   }
 
-  [[nodiscard]] std::size_t row(double y) const {
-    if (!(height_ > 0)) return 0;
-    return static_cast<std::size_t>(
-        std::clamp((y - low_) / height_, 0.0, static_cast<double>(rows_.size() - 1)));
-  }
-
-  // The polygons of the edges that a ray from p to the left crosses. Ends count as above the ray if they are
-  // higher than p, so that p is taken as if it were just above where it is.
+  // The polygons of the edges that a level ray from p to the left crosses.
   [[nodiscard]] std::vector<std::uint32_t> polygons_left_of(Vec2 p, std::uint32_t except) const {
     std::vector<std::uint32_t> polygons;
-    for (const std::uint32_t e : rows_[row(p.y)]) {
-      if (e == except) continue;
-      auto [low, high] = ends(e);
-      if ((low.y <= p.y) == (high.y <= p.y)) continue;
-      if (low.y > high.y) std::swap(low, high);
-      if (orient2d(low, high, p) < 0) append_polygons(e, polygons);
-    }
+    for (const std::uint32_t e : rows_.at(p.y))
+      if (e != except && left_ray_crosses(p, ends(e).first, ends(e).second)) append_polygons(e, polygons);
     return polygons;
   }
 
   const PathNetwork& network_;
   std::vector<std::uint32_t> polygon_begin_;
   std::vector<std::uint32_t> polygons_;
-  std::vector<std::vector<std::uint32_t>> rows_;
-  double low_ = 0;
-  double height_ = 0;
+  Rows rows_{0, 0, 1};
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 
 #include <fmt/format.h>
@@ -10,9 +11,12 @@
 #include "engine/geometry/grid.hpp"
 #include "engine/geometry/predicates.hpp"
 #include "engine/geometry/segment.hpp"
+#include "kernels/linework/ring_locator.hpp"
 
 namespace quarry {
 namespace {
+
+using linework::RingLocator;
 
 std::string origin_of(const LineSet& lines, LineId id) {
   const InputLine& line = lines.lines[id];
@@ -57,33 +61,16 @@ void require_simple(const LineSet& lines, LineId id, double near) {
   }
 }
 
-bool within_ring(const std::vector<Vec2>& ring, Vec2 p) {
-  bool inside = false;
-  for (std::size_t i = 0; i + 1 < ring.size(); ++i) {
-    Vec2 low = ring[i];
-    Vec2 high = ring[i + 1];
-    if ((low.y <= p.y) == (high.y <= p.y)) continue;
-    if (low.y > high.y) std::swap(low, high);
-    if (orient2d(low, high, p) < 0) inside = !inside;
-  }
-  return inside;
+// Whether a line lies in a ring or near it: its points, and the middles of its segments, for a line that
+// closes a bay of the ring may have all its points on the rim.
+bool line_within(const std::vector<Vec2>& line, const RingLocator& ring) {
+  for (std::size_t i = 0; i < line.size(); ++i)
+    if (!ring.holds(line[i]) || (i > 0 && !ring.holds(midpoint(line[i - 1], line[i])))) return false;
+  return true;
 }
 
-bool near_ring(const std::vector<Vec2>& ring, Vec2 p, double near) {
-  for (std::size_t i = 0; i + 1 < ring.size(); ++i)
-    if (squared_distance(p, ring[i], ring[i + 1]) <= near * near) return true;
-  return false;
-}
-
-bool box_within(const Box2& inner, const Box2& outer, double near) {
-  const Box2 grown = outer.grown(near);
-  return grown.contains(inner.low) && grown.contains(inner.high);
-}
-
-// Whether all points of a line lie in a ring or near it, and the line is not all on its rim.
-bool line_within(const std::vector<Vec2>& line, const std::vector<Vec2>& ring, double near) {
-  return std::all_of(line.begin(), line.end(),
-                     [&](Vec2 p) { return within_ring(ring, p) || near_ring(ring, p, near); });
+bool box_within(const Box2& inner, const Box2& outer) {
+  return outer.contains(inner.low) && outer.contains(inner.high);
 }
 
 double area_of(const std::vector<Vec2>& ring) {
@@ -112,12 +99,15 @@ Nesting nest(const LineSet& lines, double near) {
                    [&](LineId a, LineId b) { return areas[a.value()] > areas[b.value()]; });
   std::vector<Box2> boxes;
   for (const LineId id : result.ids) boxes.push_back(box_of(lines.lines[id].points));
+  std::vector<std::unique_ptr<RingLocator>> rings(result.ids.size());
   result.within.resize(result.ids.size());
-  for (std::uint32_t i = 0; i < result.ids.size(); ++i)
-    for (std::uint32_t k = 0; k < i; ++k)
-      if (box_within(boxes[i], boxes[k], near) &&
-          line_within(lines.lines[result.ids[i]].points, lines.lines[result.ids[k]].points, near))
-        result.within[i].push_back(k);
+  for (std::uint32_t i = 0; i < result.ids.size(); ++i) {
+    for (std::uint32_t k = 0; k < i; ++k) {
+      if (!box_within(boxes[i], boxes[k].grown(near))) continue;
+      if (!rings[k]) rings[k] = std::make_unique<RingLocator>(lines.lines[result.ids[k]].points, near);
+      if (line_within(lines.lines[result.ids[i]].points, *rings[k])) result.within[i].push_back(k);
+    }
+  }
   return result;
 }
 
@@ -140,20 +130,15 @@ Outline polygons_of(const LineSet& lines, double near, bool input) {
   return outline;
 }
 
-bool all_within(const LineSet& lines, const std::vector<LineId>& rings, double near) {
-  std::vector<Box2> boxes;
-  for (const LineId id : rings) boxes.push_back(box_of(lines.lines[id].points));
-  for (const InputLine& line : lines.lines) {
-    for (const Vec2 p : line.points) {
-      bool held = false;
-      for (std::size_t r = 0; r < rings.size() && !held; ++r) {
-        const std::vector<Vec2>& ring = lines.lines[rings[r]].points;
-        held = boxes[r].grown(near).contains(p) && (within_ring(ring, p) || near_ring(ring, p, near));
-      }
-      if (!held) return false;
-    }
-  }
-  return true;
+bool all_within(const LineSet& lines, const std::vector<LineId>& outermost, double near) {
+  std::vector<RingLocator> rings;
+  for (const LineId id : outermost) rings.emplace_back(lines.lines[id].points, near);
+  const auto held = [&](Vec2 p) {
+    return std::any_of(rings.begin(), rings.end(), [&](const RingLocator& ring) { return ring.holds(p); });
+  };
+  return std::all_of(lines.lines.begin(), lines.lines.end(), [&](const InputLine& line) {
+    return std::all_of(line.points.begin(), line.points.end(), held);
+  });
 }
 
 std::vector<Vec2> corners(const Box2& box) {

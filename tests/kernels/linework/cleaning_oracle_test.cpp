@@ -1,12 +1,11 @@
 // GEOS as an oracle: where nothing comes near a tolerance, noding has one right answer.
-#include <cmath>
-#include <memory>
 
 #include <geos_c.h>
 #include <gtest/gtest.h>
 
 #include "engine/base/random.hpp"
 #include "line_samples.hpp"
+#include "random_lines.hpp"
 
 namespace quarry {
 namespace {
@@ -18,10 +17,19 @@ struct Geos {
   Geos& operator=(const Geos&) = delete;
 
   GEOSGeometry* line_of(const Points& points) const {
+    return GEOSGeom_createLineString_r(handle, sequence_of(points));
+  }
+
+  GEOSGeometry* polygon_of(const Points& ring) const {
+    GEOSCoordSequence* sequence = sequence_of(ring);
+    return GEOSGeom_createPolygon_r(handle, GEOSGeom_createLinearRing_r(handle, sequence), nullptr, 0);
+  }
+
+  GEOSCoordSequence* sequence_of(const Points& points) const {
     GEOSCoordSequence* sequence = GEOSCoordSeq_create_r(handle, static_cast<unsigned>(points.size()), 2);
     for (unsigned i = 0; i < points.size(); ++i)
       GEOSCoordSeq_setXY_r(handle, sequence, i, points[i].x, points[i].y);
-    return GEOSGeom_createLineString_r(handle, sequence);
+    return sequence;
   }
 
   GEOSContextHandle_t handle;
@@ -55,6 +63,35 @@ TEST(CleaningOracle, NodesAsManyPiecesOfTheSameLengthAsGeos) {
         << "seed " << seed;
     EXPECT_NEAR(own, length, 1e-9 * length) << "seed " << seed;
     GEOSGeom_destroy_r(geos.handle, noded);
+    GEOSGeom_destroy_r(geos.handle, all);
+  }
+}
+
+TEST(CleaningOracle, FindsTheSameUnionOfPolygonsAsGeos) {
+  const Geos geos;
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    const LineSet raw = random_polygons(seed);
+    const CleanedLines result = clean_lines(raw, default_outline(raw, 1e-8), {1e-8, 0, 0});
+    std::vector<GEOSGeometry*> polygons;
+    for (const InputLine& ring : raw.lines) {
+      GEOSGeometry* polygon = geos.polygon_of(ring.points);
+      if (ring.hole) {
+        GEOSGeometry* holed = GEOSDifference_r(geos.handle, polygons.back(), polygon);
+        GEOSGeom_destroy_r(geos.handle, polygons.back());
+        GEOSGeom_destroy_r(geos.handle, polygon);
+        polygons.back() = holed;
+      } else {
+        polygons.push_back(polygon);
+      }
+    }
+    GEOSGeometry* all = GEOSGeom_createCollection_r(geos.handle, GEOS_GEOMETRYCOLLECTION, polygons.data(),
+                                                    static_cast<unsigned>(polygons.size()));
+    GEOSGeometry* both = GEOSUnaryUnion_r(geos.handle, all);
+    ASSERT_NE(both, nullptr);
+    double length = 0;
+    GEOSLength_r(geos.handle, both, &length);
+    EXPECT_NEAR(outline_length(result.lines), length, 1e-6 * length) << "seed " << seed;
+    GEOSGeom_destroy_r(geos.handle, both);
     GEOSGeom_destroy_r(geos.handle, all);
   }
 }

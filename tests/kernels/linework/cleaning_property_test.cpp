@@ -6,61 +6,12 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/base/random.hpp"
 #include "engine/parallel/parallel.hpp"
 #include "line_samples.hpp"
+#include "random_lines.hpp"
 
 namespace quarry {
 namespace {
-
-class Dice {
- public:
-  explicit Dice(std::uint64_t seed) : seed_(seed) {}
-  double operator()(double low, double high) { return low + (high - low) * uniform01(seed_, counter_++); }
-
- private:
-  std::uint64_t seed_;
-  std::uint64_t counter_ = 0;
-};
-
-// Lines in a box of side 10: random segments, short and crooked lines, copies shifted by about the snapping
-// distance, ends near other lines, lines through common points, shared vertices, some on a coarse lattice.
-LineSet soup(std::uint64_t seed, Vec2 origin) {
-  Dice dice(seed);
-  std::vector<Points> lines;
-  const auto anywhere = [&] { return Vec2{dice(0, 10), dice(0, 10)}; };
-  const auto near = [&](Vec2 p, double r) { return p + Vec2{dice(-r, r), dice(-r, r)}; };
-  const int count = 4 + static_cast<int>(dice(0, 26));
-  for (int i = 0; i < count; ++i) {
-    const double kind = dice(0, 1);
-    Points line{anywhere()};
-    const double step = std::pow(10, dice(-2, 1));
-    const int length = 1 + static_cast<int>(dice(0, 8));
-    if (kind < 0.5 || lines.empty()) {
-      for (int k = 0; k < length; ++k) line.push_back(near(line.back(), step));
-    } else {
-      const Points& other = lines[static_cast<std::size_t>(dice(0, static_cast<double>(lines.size())))];
-      const double shift = std::pow(10, dice(-4, -0.5));
-      if (kind < 0.65) {
-        line.clear();
-        for (const Vec2 p : other) line.push_back(near(p, shift));
-      } else if (kind < 0.8) {
-        const std::size_t s = static_cast<std::size_t>(dice(0, static_cast<double>(other.size() - 1)));
-        line.push_back(near(point_at(dice(0, 1), other[s], other[s + 1]), shift));
-      } else {
-        line.push_back(other[static_cast<std::size_t>(dice(0, static_cast<double>(other.size())))]);
-        line.push_back(anywhere());
-      }
-    }
-    if (dice(0, 1) < 0.15)
-      for (Vec2& p : line) p = {std::round(p.x), std::round(p.y)};
-    if (dice(0, 1) < 0.1 && line.size() > 2) line.push_back(line.front());
-    lines.push_back(line);
-  }
-  for (Points& line : lines)
-    for (Vec2& p : line) p = p + origin;
-  return lines_of(lines);
-}
 
 void expect_same(const CleanedLines& a, const CleanedLines& b) {
   EXPECT_EQ(a.lines.nodes.raw(), b.lines.nodes.raw());
@@ -93,10 +44,29 @@ TEST(CleaningSoups, StayWithinTheBudgetFarFromTheOrigin) {
   clean_soups(3000, 3400, {466'000, 6'700'000}, 0.2);
 }
 
+// Random polygons with random lines across them, at sizes at which small rings and gaps close up.
+TEST(CleaningPolygons, StayWithinTheBudget) {
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    const double size = std::pow(10, -2 * uniform01(99, seed));
+    const CleanOptions options{0.05 * size, 0.1 * size, 0.05 * size};
+    LineSet raw = random_polygons(seed);
+    LineSet lines = soup(seed, {});
+    const LineSet polygons = raw;
+    for (const InputLine& extra : lines.lines) raw.lines.push_back(extra);
+    CleanedLines result;
+    ASSERT_NO_THROW(result = clean_lines(raw, default_outline(raw, options.snap), options));
+    expect_faithful(raw, result);
+    ASSERT_NO_THROW(result = clean_lines(lines, boundary_outline(polygons, options.snap), options));
+    expect_faithful(lines, result);
+    if (HasFailure()) return;
+  }
+}
+
 TEST(CleaningSoups, AreTheSameOnAnyNumberOfThreads) {
   LineSet raw;
   raw.files = {"made.geojson"};
-  for (std::uint64_t seed = 0; seed < 60; ++seed)
+  for (std::uint64_t seed = 0; seed < 15; ++seed)
     for (const InputLine& line : soup(seed, {}).lines) raw.lines.push_back(line);
   const CleanOptions options{0.005, 0.01, 0.005};
   CleanedLines serial;

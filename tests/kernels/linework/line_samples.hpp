@@ -48,12 +48,12 @@ inline double budget(const CleanOptions& options) {
   return options.snap + options.min_edge + options.tolerance;
 }
 
-// The pieces that bear a line's number, as segments.
-inline std::vector<Segment> pieces_of(const NodedLines& lines, LineId id) {
-  std::vector<Segment> result;
+// The pieces that bear each line's number, as segments.
+inline IdVector<LineId, std::vector<Segment>> pieces_by_line(const NodedLines& lines, std::size_t count) {
+  IdVector<LineId, std::vector<Segment>> result(count);
   for (const PieceId p : IdRange<PieceId>(lines.pieces.size()))
-    if (std::ranges::find(lines.numbers(p), id) != lines.numbers(p).end())
-      result.push_back({lines.nodes[lines.pieces[p].from], lines.nodes[lines.pieces[p].to]});
+    for (const LineId id : lines.numbers(p))
+      result[id].push_back({lines.nodes[lines.pieces[p].from], lines.nodes[lines.pieces[p].to]});
   return result;
 }
 
@@ -78,14 +78,27 @@ inline std::vector<Segment> raw_segments(const InputLine& raw) {
   return result;
 }
 
+// Every node has an even number of outline pieces: the outline is closed.
+inline void expect_closed_outline(const NodedLines& lines) {
+  std::vector<int> count(lines.nodes.size(), 0);
+  for (const Piece& piece : lines.pieces) {
+    if (piece.kind != PieceKindOf::kOutline) continue;
+    ++count[piece.from.value()];
+    ++count[piece.to.value()];
+  }
+  EXPECT_TRUE(std::all_of(count.begin(), count.end(), [](int pieces) { return pieces % 2 == 0; }));
+}
+
 // Every line that is neither dropped nor clipped lies within the budget of its pieces and they of it; dropped
 // ones have no piece but a reason. Exactness is checked by clean_lines itself.
 inline void expect_faithful(const LineSet& raw, const CleanedLines& cleaned) {
   const double near = budget(cleaned.options) * (1 + 1e-9);
   ASSERT_EQ(cleaned.ledger.size(), raw.lines.size());
+  expect_closed_outline(cleaned.lines);
+  const auto all_pieces = pieces_by_line(cleaned.lines, raw.lines.size());
   for (const LineId id : IdRange<LineId>(raw.lines.size())) {
     const LedgerEntry& entry = cleaned.ledger[id];
-    const std::vector<Segment> pieces = pieces_of(cleaned.lines, id);
+    const std::vector<Segment>& pieces = all_pieces[id];
     if (entry.fate == LineFate::kDropped) {
       EXPECT_TRUE(pieces.empty()) << id.value();
       EXPECT_FALSE(entry.why.empty()) << id.value();
@@ -110,6 +123,13 @@ inline std::size_t interior_pieces(const NodedLines& lines) {
   return static_cast<std::size_t>(
       std::count_if(lines.pieces.begin(), lines.pieces.end(),
                     [](const Piece& piece) { return piece.kind == PieceKindOf::kInterior; }));
+}
+
+inline double outline_length(const NodedLines& lines) {
+  double sum = 0;
+  for (const Piece& piece : lines.pieces)
+    if (piece.kind == PieceKindOf::kOutline) sum += distance(lines.nodes[piece.from], lines.nodes[piece.to]);
+  return sum;
 }
 
 inline bool has_node(const NodedLines& lines, Vec2 p) {

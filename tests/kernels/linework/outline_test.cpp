@@ -34,13 +34,6 @@ CleanedLines cleaned_in(const LineSet& raw, const Outline& outline) {
   return result;
 }
 
-double outline_length(const NodedLines& lines) {
-  double sum = 0;
-  for (const Piece& piece : lines.pieces)
-    if (piece.kind == PieceKindOf::kOutline) sum += distance(lines.nodes[piece.from], lines.nodes[piece.to]);
-  return sum;
-}
-
 template <class Job>
 std::string input_error(Job&& job) {
   try {
@@ -107,6 +100,16 @@ TEST(DefaultOutline, IsTheOutermostClosedLinesIfTheyHoldTheRest) {
   EXPECT_EQ(outline.rings[0].line, line(1));
   const CleanedLines result = cleaned_in(raw, outline);
   EXPECT_DOUBLE_EQ(outline_length(result.lines), 40);
+}
+
+TEST(DefaultOutline, TakesAClosedLineThatFillsABayForOutermost) {
+  // All points of the second line lie on the rim of the first.
+  const LineSet raw =
+      lines_of({{{0, 0}, {10, 0}, {10, 10}, {7, 10}, {7, 4}, {3, 4}, {3, 10}, {0, 10}, {0, 0}},
+                {{3, 4}, {7, 4}, {7, 10}, {3, 10}, {3, 4}}});
+  const Outline outline = default_outline(raw, 0.05);
+  EXPECT_EQ(outline.rings.size(), 2U);
+  EXPECT_DOUBLE_EQ(outline_length(cleaned_in(raw, outline).lines), 40);
 }
 
 TEST(DefaultOutline, IsTheBoxOtherwise) {
@@ -192,6 +195,12 @@ TEST(Outlines, ThatHoldNoLineAreRefused) {
       [&] { (void)clean_lines(raw, boundary_outline(lines_of({square(0, 0, 10)}), 0.05), kOptions); });
   EXPECT_NE(message.find("no part of any line"), std::string::npos);
   EXPECT_NE(message.find("(50, 50)"), std::string::npos);
+}
+
+TEST(Outlines, AroundLinesThatAreAllTooShortAreRefused) {
+  const LineSet raw = lines_of({{{1, 1}, {1.01, 1}}, {{9, 9}, {9, 9.01}}});
+  EXPECT_NE(input_error([&] { (void)clean_lines(raw, wide_box(raw), kOptions); }).find("smaller size"),
+            std::string::npos);
 }
 
 TEST(Outlines, WithoutAreaAreRefused) {
