@@ -21,9 +21,9 @@ struct FieldText {
 
 struct MeshWriteOptions {
   // Where the format has a place for them.
-  std::vector<FieldText> fields;
+  std::vector<FieldText> fields = {};
   // One value for each face slot; empty: not written. Formats without cell data leave them out.
-  std::span<const double> scaled_jacobian;
+  std::span<const double> scaled_jacobian = {};
   // zlib, where the format knows it. The bytes do not depend on the number of threads.
   bool compress = false;
 };

@@ -39,7 +39,7 @@ class Gmsh : public testing::Test {
 
 TEST_F(Gmsh, OpensWhatIsWritten) {
   const Mesh mesh = make_sample_mesh({.size = 9});
-  write_msh(folder_.file("mesh.msh"), mesh, {.fields = {{"quarry_version", "0.1.0"}}, .scaled_jacobian = {}});
+  write_msh(folder_.file("mesh.msh"), mesh, {.fields = {{"quarry_version", "0.1.0"}}});
   const std::string said =
       output_of("gmsh -format msh41 -o " + folder_.file("again.msh") + " -0 " + folder_.file("mesh.msh"));
   EXPECT_EQ(said.find("Error"), std::string::npos) << said;

@@ -1,0 +1,78 @@
+#include "io/picture/picture.hpp"
+
+#include <filesystem>
+
+#include <cctype>
+#include <fmt/format.h>
+
+#include "engine/base/error.hpp"
+#include "io/atomic_file.hpp"
+#include "io/picture/edge_layer.hpp"
+#include "io/picture/face_layer.hpp"
+#include "io/picture/legend.hpp"
+
+namespace quarry {
+namespace {
+
+constexpr int kNarrowest = 64;
+constexpr int kWidest = 20000;
+
+Canvas::Format format_of(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  if (extension == ".png") return Canvas::Format::kPng;
+  if (extension == ".svg") return Canvas::Format::kSvg;
+  throw Error(
+      ErrorKind::kUsage,
+      fmt::format("{}: the picture format \"{}\" is not known; use one of .svg, .png", path, extension));
+}
+
+void check(const std::string& path, const Mesh& mesh, const PictureOptions& options) {
+  const auto refuse = [&](std::string_view reason) {
+    throw Error(ErrorKind::kUsage, fmt::format("{}: {}", path, reason));
+  };
+  if (options.width < kNarrowest || options.width > kWidest)
+    refuse(fmt::format("a picture is {} to {} pixels wide, not {}", kNarrowest, kWidest, options.width));
+  if (!mesh.planar()) refuse("only meshes of the plane can be drawn");
+  if (mesh.count_alive_faces() == 0) refuse("a mesh without faces cannot be drawn");
+  if (options.window && !(options.window->width() > 0 && options.window->height() > 0))
+    refuse("the window of a picture needs a width and a height");
+  if (options.colours == PictureColours::kQuality && options.quality.size() != mesh.face_slots())
+    throw Error(ErrorKind::kBug,
+                fmt::format("{} quality values for {} faces", options.quality.size(), mesh.face_slots()));
+}
+
+// A window cuts the drawing at its frame; a whole mesh has room for its outline to be drawn thick.
+void clip_to_window(Canvas& canvas, const PictureView& view) {
+  const Box2& frame = view.frame();
+  cairo_rectangle(canvas.context(), frame.low.x, frame.low.y, frame.width(), frame.height());
+  cairo_clip(canvas.context());
+}
+
+void frame_window(Canvas& canvas, const PictureView& view) {
+  const Box2& frame = view.frame();
+  cairo_rectangle(canvas.context(), frame.low.x, frame.low.y, frame.width(), frame.height());
+  canvas.stroke({0.45, 0.48, 0.53}, 1.0, 1.5 * view.unit());
+}
+
+}  // namespace
+
+void write_picture(const std::string& path, const Mesh& mesh, const PictureOptions& options) {
+  const Canvas::Format format = format_of(path);
+  check(path, mesh, options);
+  const PictureView view(options.window.value_or(mesh.box()), options.width);
+  Canvas canvas(format, view.width(), view.height());
+  cairo_save(canvas.context());
+  if (options.window) clip_to_window(canvas, view);
+  draw_faces(canvas, view, mesh, options);
+  draw_element_edges(canvas, view, mesh);
+  draw_constraints(canvas, view, mesh, options);
+  cairo_restore(canvas.context());
+  if (options.window) frame_window(canvas, view);
+  draw_legend(canvas, view, mesh, options);
+  write_file(path, canvas.take_bytes());
+}
+
+void check_picture_extension(const std::string& path) { static_cast<void>(format_of(path)); }
+
+}  // namespace quarry

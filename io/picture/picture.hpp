@@ -1,0 +1,39 @@
+// A picture of a planar mesh from which one can see whether it is good: faces by region or by quality, their
+// edges as far as they can be told apart, constraints and the outline on top, a scale bar.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+
+#include "engine/geometry/box.hpp"
+#include "engine/mesh/mesh.hpp"
+
+namespace quarry {
+
+enum class PictureColours {
+  kRegion,      // a pastel colour for each number of the face tag "region"
+  kQuality,     // a measure of each face, from red (bad) to blue (good)
+  kConstraint,  // plain faces, a strong colour for each number of the edge tag "constraint"
+};
+
+struct PictureOptions {
+  PictureColours colours = PictureColours::kRegion;
+  // For kQuality: a value in [0, 1] for each face slot; what is not positive is drawn in black.
+  std::span<const double> quality = {};
+  std::string quality_name = "scaled Jacobian";
+  // Pixels (.png) or user units (.svg); lines and letters grow with it.
+  int width = 1600;
+  // Shows this part of the plane only, in the units of the coordinates.
+  std::optional<Box2> window = {};
+};
+
+// Writes .svg or .png as the extension says. Throws Error(kUsage) for another extension, a width outside
+// [64, 20000], an empty window, a mesh in space or one without faces; Error(kOutput) where it cannot be
+// written.
+void write_picture(const std::string& path, const Mesh& mesh, const PictureOptions& options);
+
+// Throws Error(kUsage) unless write_picture knows the extension: for a check before a long job.
+void check_picture_extension(const std::string& path);
+
+}  // namespace quarry
