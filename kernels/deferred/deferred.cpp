@@ -1,11 +1,13 @@
 #include "kernels/deferred/deferred.hpp"
 
-#include <numeric>
+#include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "engine/base/error.hpp"
 #include "engine/geometry/hilbert.hpp"
+#include "engine/parallel/parallel.hpp"
 #include "engine/parallel/sort.hpp"
 #include "kernels/deferred/insert_nodes.hpp"
 #include "kernels/deferred/insert_pieces.hpp"
@@ -18,13 +20,14 @@ namespace {
 constexpr PassOptions kNodePass{.window = 8192, .cutoff = 4};
 constexpr PassOptions kPiecePass{.window = 8192, .cutoff = 4};
 
+// The ids from begin to end along a Hilbert curve.
 template <class IdType>
-std::vector<IdType> hilbert_list(std::size_t size, const Box2& box, const auto& point_of) {
-  std::vector<std::uint64_t> keys(size);
-  for (std::size_t i = 0; i < size; ++i) keys[i] = hilbert_key(point_of(IdType(i)), box);
+std::vector<IdType> hilbert_list(std::size_t begin, std::size_t end, const Box2& box, const auto& point_of) {
+  std::vector<std::uint64_t> keys(end - begin);
+  parallel::for_each(keys.size(), [&](std::size_t i) { keys[i] = hilbert_key(point_of(IdType(begin + i)), box); });
   std::vector<IdType> list;
-  list.reserve(size);
-  for (const std::uint32_t i : parallel::sorted_order(std::move(keys))) list.push_back(IdType(i));
+  list.reserve(keys.size());
+  for (const std::uint32_t i : parallel::sorted_order(std::move(keys))) list.push_back(IdType(begin + i));
   return list;
 }
 
@@ -76,29 +79,33 @@ DeferredOptions paper_options(double spacing) {
 }
 
 InsertedLines insert_lines(Mesh& mesh, const NodedLines& lines, const DeferredOptions& options, DeferredReport& report,
-                           const Progress& progress) {
+                           const Progress& progress, const InsertedLines& before) {
   deferred::State state(lines, options, ConstraintTags::of(mesh));
+  const std::size_t old_nodes = before.vertex_of_node.size();
+  for (const NodeId node : IdRange<NodeId>(old_nodes)) state.vertex_of_node[node] = before.vertex_of_node[node];
   const Box2 box = mesh.box();
-  const deferred::VertexGrid grid(mesh);
-  for (const NodeId node : IdRange<NodeId>(lines.nodes.size())) state.near_node[node] = grid.near(lines.nodes[node]);
 
-  const auto nodes = hilbert_list<NodeId>(lines.nodes.size(), box, [&](NodeId n) { return lines.nodes[n]; });
   progress.report("nodes", 0);
+  const deferred::VertexGrid grid(mesh);
+  const auto nodes = hilbert_list<NodeId>(old_nodes, lines.nodes.size(), box, [&](NodeId n) { return lines.nodes[n]; });
+  for (const NodeId node : nodes) state.near_node[node] = grid.near(lines.nodes[node]);
   report.nodes = run_pass(mesh, deferred::NodeInsertion(state), nodes, kNodePass, progress);
   report.nodes.name = "nodes";
   check_all_reached(state);
 
-  for (const PieceId piece : IdRange<PieceId>(lines.pieces.size()))
-    state.front[piece] = state.vertex_of_node[lines.pieces[piece].from];
-  const auto pieces = hilbert_list<PieceId>(lines.pieces.size(), box, [&](PieceId p) { return state.from(p); });
   progress.report("lines", 0);
+  for (const PieceId piece : IdRange<PieceId>(lines.pieces.size()))
+    state.front[piece] = state.vertex_of_node[piece.value() < before.pieces ? lines.pieces[piece].to
+                                                                             : lines.pieces[piece].from];
+  const auto pieces =
+      hilbert_list<PieceId>(before.pieces, lines.pieces.size(), box, [&](PieceId p) { return state.from(p); });
   report.pieces = run_pass(mesh, deferred::PieceInsertion(state), pieces, kPiecePass, progress);
   report.pieces.name = "lines";
   check_all_connected(state, mesh);
 
   for (const deferred::Events& events : state.node_events) add_events(report, events);
   for (const deferred::Events& events : state.piece_events) add_events(report, events);
-  return {std::move(state.vertex_of_node)};
+  return {std::move(state.vertex_of_node), lines.pieces.size()};
 }
 
 }  // namespace quarry

@@ -17,16 +17,18 @@
 
 namespace quarry {
 
-// Where the cleaned lines ended up in the mesh.
+// Where lines ended up in the mesh: the first nodes and pieces of a NodedLines, by number.
 struct InsertedLines {
   IdVector<NodeId, VertexId> vertex_of_node;
+  std::size_t pieces = 0;
 };
 
 // mesh: positively oriented triangles that cover all nodes, with ConstraintTags. After the call each node is a vertex
 // with the bits of the node, and each piece is a chain of constrained edges between the vertices of its nodes.
-// first_new_node, first_new_piece: those before are in the mesh already (0 for a new mesh).
+// before: what an earlier call returned. Its nodes and pieces are in the mesh and must be the first of `lines`, in the
+// same order; only those behind them are inserted.
 // Throws Error(kGeometry) with the place if a node lies outside the mesh or two pieces cross.
 InsertedLines insert_lines(Mesh& mesh, const NodedLines& lines, const DeferredOptions& options, DeferredReport& report,
-                           const Progress& progress);
+                           const Progress& progress, const InsertedLines& before = {});
 
 }  // namespace quarry

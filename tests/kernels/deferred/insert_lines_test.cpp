@@ -8,7 +8,10 @@
 
 #include "engine/base/error.hpp"
 #include "engine/mesh/validate.hpp"
+#include "engine/operation/pass.hpp"
 #include "engine/parallel/parallel.hpp"
+#include "kernels/deferred/insert_nodes.hpp"
+#include "kernels/deferred/insert_pieces.hpp"
 #include "kernels/initial/crisscross.hpp"
 #include "tests/support/noded_lines.hpp"
 
@@ -147,6 +150,82 @@ TEST(InsertLines, RandomSoupsGiveTheSameValidMeshOnAnyNumberOfThreads) {
   }
 }
 
+// A node that lies on the straight edge between two other nodes but for rounding: splitting the face that holds it
+// would leave a triangle without height, which no quads can be made of.
+TEST(InsertLines, PutsANodeBesideAnEdgeOntoThatEdge) {
+  const Vec2 a{50.3, 50.2}, b{50.34, 50.22};
+  const Vec2 middle{50.32, std::nextafter(50.21, 51.0)};
+  test::NodedLinesBuilder builder;
+  builder.piece(a, middle);
+  builder.piece(middle, b);
+  builder.piece(middle, {50.3, 50.24});
+  const NodedLines lines = builder.finish();
+  DeferredOptions options = with_spacing(2);
+  options.max_tries = 0;  // every step is a fallback
+  const Outcome outcome = insert(lines, kBox, options);
+  EXPECT_EQ(check_chains(outcome, lines, 1e-9), "");
+  for (const FaceId f : outcome.mesh.faces()) {
+    const auto p = [&](int k) { return outcome.mesh.point(outcome.mesh.corner(f, k)); };
+    const double longest = std::max({distance(p(0), p(1)), distance(p(1), p(2)), distance(p(2), p(0))});
+    EXPECT_GT(cross(p(1) - p(0), p(2) - p(0)), 1e-6 * longest * longest) << "face " << f.value();
+  }
+}
+
+TEST(InsertLines, AddsFurtherLinesToAMeshThatHasSome) {
+  const NodedLines all = test::random_segments(11, 300, 100, 0.05, {0, 0});
+  NodedLines first = all;
+  const std::size_t half = all.pieces.size() / 2;
+  first.pieces.resize(half);
+  first.line_begin.resize(half + 1);
+  // Pieces name their nodes in the order in which they were built, so the first half has the first nodes.
+  first.nodes.resize(2 * half);
+  Outcome outcome = insert(first, kBox, with_spacing(2));
+  DeferredReport report;
+  outcome.inserted = insert_lines(outcome.mesh, all, with_spacing(2), report, Progress(), outcome.inserted);
+  EXPECT_EQ(report.pieces.won > 0, true);
+  EXPECT_EQ(validate(outcome.mesh, GeometryCheck::kPlanarCorners), "");
+  EXPECT_EQ(check_chains(outcome, all, 1e-9), "");
+}
+
+TEST(InsertLines, IsTheSameWithWinnersAppliedInReverse) {
+  // The passes of the kernel have no switch for that; their operations are run by hand here.
+  const NodedLines lines = test::random_segments(5, 200, 100, 0.05, {0, 0});
+  const Box2 box = kBox;
+  std::vector<std::vector<double>> xs;
+  for (const bool reverse : {false, true}) {
+    Mesh mesh = make_crisscross(box, {.cell = 2, .angle_degrees = 0});
+    auto tags = ConstraintTags::add_to(mesh);
+    for (const VertexId v : mesh.vertices())
+      if (mesh.on_boundary(v)) tags.support[v] = Support::fixed();
+    const DeferredOptions options = with_spacing(2);
+    deferred::State state(lines, options, tags);
+    std::vector<NodeId> nodes;
+    for (const NodeId node : IdRange<NodeId>(lines.nodes.size())) {
+      nodes.push_back(node);
+      state.near_node[node] = VertexId(0U);
+    }
+    const PassOptions pass{.window = 512, .cutoff = 2, .reverse = reverse};
+    run_pass(mesh, deferred::NodeInsertion(state), nodes, pass, Progress());
+    std::vector<PieceId> pieces;
+    for (const PieceId piece : IdRange<PieceId>(lines.pieces.size())) {
+      pieces.push_back(piece);
+      state.front[piece] = state.vertex_of_node[lines.pieces[piece].from];
+    }
+    run_pass(mesh, deferred::PieceInsertion(state), pieces, pass, Progress());
+    xs.push_back(mesh.xs());
+  }
+  EXPECT_EQ(xs[0], xs[1]);
+}
+
+TEST(InsertLines, KeepsToItsClaims) {
+#ifndef QUARRY_CHECK_CLAIMS
+  GTEST_SKIP() << "claims are checked in builds with QUARRY_CHECK_CLAIMS";
+#endif
+  reset_claim_violations();
+  for (const Case& hard : hard_cases()) (void)insert(hard.lines, kBox, with_spacing(2));
+  EXPECT_EQ(claim_violations().count, 0U) << claim_violations().first;
+}
+
 TEST(InsertLines, NamesThePlaceWhereTwoPiecesCross) {
   test::NodedLinesBuilder builder;
   builder.piece({10, 10}, {90, 90});
@@ -163,7 +242,12 @@ TEST(InsertLines, NamesThePlaceWhereTwoPiecesCross) {
 TEST(InsertLines, RefusesAPointOutsideTheMesh) {
   test::NodedLinesBuilder builder;
   builder.piece({10, 10}, {190, 90});
-  EXPECT_THROW((void)insert(builder.finish(), kBox, with_spacing(2)), Error);
+  try {
+    (void)insert(builder.finish(), kBox, with_spacing(2));
+    FAIL() << "a point outside was accepted";
+  } catch (const Error& error) {
+    EXPECT_NE(error.message().find("(190, 90)"), std::string::npos) << error.message();
+  }
 }
 
 }  // namespace
