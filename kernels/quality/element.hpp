@@ -82,12 +82,23 @@ inline double lo_measure(Vec2 a, Vec2 b, Vec2 c) {
 // a3 a4 / (a1 a2) [LeeLo]: 1 for every rectangle whatever its aspect, 0.36 for a rhombus of 60 degrees,
 // negative for a concave quad. The formula gives a bow-tie a positive value; here it gets its smallest
 // triangle's measure instead.
-inline double lee_lo_phi(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
-  std::array<double, 4> alpha = {lo_measure(a, b, c), lo_measure(a, c, d), lo_measure(b, c, d),
-                                 lo_measure(a, b, d)};
-  std::sort(alpha.begin(), alpha.end());
+inline double lee_lo_phi(std::array<double, 4> alpha) {
+  const auto order = [&](std::size_t i, std::size_t j) {
+    const double low = std::min(alpha[i], alpha[j]);
+    alpha[j] = std::max(alpha[i], alpha[j]);
+    alpha[i] = low;
+  };
+  // A sorting network of five exchanges.
+  order(0, 1);
+  order(2, 3);
+  order(0, 2);
+  order(1, 3);
+  order(1, 2);
   if (!(alpha[1] > 0)) return alpha[0];
   return alpha[0] * alpha[1] / (alpha[2] * alpha[3]);
+}
+inline double lee_lo_phi(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
+  return lee_lo_phi({lo_measure(a, b, c), lo_measure(a, c, d), lo_measure(b, c, d), lo_measure(a, b, d)});
 }
 
 // Shortest and longest edge, in the units of the coordinates.

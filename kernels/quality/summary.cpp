@@ -5,33 +5,17 @@
 
 #include "engine/parallel/parallel.hpp"
 #include "kernels/quality/face.hpp"
+#include "kernels/quality/face_measures.hpp"
 
 namespace quarry {
 namespace {
 
-// The measures of one face.
-struct FaceMeasures {
-  double scaled_jacobian;
-  AngleRange angles;
-  double lo;
-  EdgeRange edges;
-};
-
-FaceMeasures measures(Vec2 a, Vec2 b, Vec2 c) {
-  return {scaled_jacobian(a, b, c), angle_range(a, b, c), lo_measure(a, b, c), edge_range(a, b, c)};
-}
-
-FaceMeasures measures(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
-  return {scaled_jacobian(a, b, c, d), angle_range(a, b, c, d), lee_lo_phi(a, b, c, d),
-          edge_range(a, b, c, d)};
-}
-
 FaceMeasures measures(const Mesh& mesh, FaceId f, bool clockwise) {
   return measure_face(mesh, f, [&](Vec2 a, Vec2 b, Vec2 c, auto... d) {
     if constexpr (sizeof...(d) == 0)
-      return clockwise ? measures(a, c, b) : measures(a, b, c);
+      return clockwise ? face_measures(a, c, b) : face_measures(a, b, c);
     else
-      return clockwise ? measures(a, d..., c, b) : measures(a, b, c, d...);
+      return clockwise ? face_measures(a, d..., c, b) : face_measures(a, b, c, d...);
   });
 }
 

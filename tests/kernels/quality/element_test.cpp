@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/base/random.hpp"
+#include "kernels/quality/face_measures.hpp"
+
 namespace quarry {
 namespace {
 
@@ -65,6 +68,28 @@ TEST(EdgeRatio, IsLongestByShortestEdge) {
 TEST(SignedArea, OfAQuadIsThatOfItsTwoTriangles) {
   const Vec2 b{3, -0.5}, c{2.5, 2}, d{-0.25, 1.75};
   EXPECT_DOUBLE_EQ(signed_area(kOrigin, b, c, d), signed_area(kOrigin, b, c) + signed_area(kOrigin, c, d));
+}
+
+Vec2 random_point(std::uint64_t counter) {
+  return {4 * uniform01(5, 2 * counter), 4 * uniform01(5, 2 * counter + 1)};
+}
+
+TEST(FaceMeasures, AreThoseOfTheSingleFunctions) {
+  for (std::uint64_t i = 0; i < 4000; i += 4) {
+    const Vec2 a = random_point(i), b = random_point(i + 1), c = random_point(i + 2), d = random_point(i + 3);
+    const FaceMeasures quad = face_measures(a, b, c, d);
+    EXPECT_DOUBLE_EQ(quad.scaled_jacobian, scaled_jacobian(a, b, c, d));
+    EXPECT_DOUBLE_EQ(quad.angles.smallest, angle_range(a, b, c, d).smallest);
+    EXPECT_DOUBLE_EQ(quad.angles.largest, angle_range(a, b, c, d).largest);
+    EXPECT_NEAR(quad.lo, lee_lo_phi(a, b, c, d), 1e-12 * std::max(1.0, std::abs(quad.lo)));
+    EXPECT_DOUBLE_EQ(quad.edges.ratio(), edge_ratio(a, b, c, d));
+    const FaceMeasures triangle = face_measures(a, b, c);
+    EXPECT_DOUBLE_EQ(triangle.scaled_jacobian, scaled_jacobian(a, b, c));
+    EXPECT_DOUBLE_EQ(triangle.angles.smallest, angle_range(a, b, c).smallest);
+    EXPECT_DOUBLE_EQ(triangle.angles.largest, angle_range(a, b, c).largest);
+    EXPECT_NEAR(triangle.lo, lo_measure(a, b, c), 1e-12);
+    EXPECT_DOUBLE_EQ(triangle.edges.ratio(), edge_ratio(a, b, c));
+  }
 }
 
 }  // namespace
