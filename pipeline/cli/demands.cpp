@@ -80,8 +80,7 @@ std::string place_of_worst(const Figure& figure, const Mesh& mesh) {
 
 std::string demand_help() {
   std::string text;
-  for (const Figure& figure : kFigures)
-    text += fmt::format("{}{} ({})", text.empty() ? "" : "; ", figure.name, figure.meaning);
+  for (const Figure& figure : kFigures) text += fmt::format("  {:<31} {}\n", figure.name, figure.meaning);
   return text;
 }
 

@@ -18,9 +18,11 @@ void catch_interrupts() {
   sigemptyset(&action.sa_mask);
   action.sa_flags = SA_RESTART;
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-    // What the caller chose to ignore (nohup) stays ignored.
+    // nohup has it ignored, and so it stays. Shells ignore SIGINT for what a script runs in the background,
+    // but there it comes from someone who means this job.
     struct sigaction before {};
-    if (sigaction(signal, nullptr, &before) == 0 && before.sa_handler == SIG_IGN) continue;
+    if (signal == SIGHUP && sigaction(signal, nullptr, &before) == 0 && before.sa_handler == SIG_IGN)
+      continue;
     sigaction(signal, &action, nullptr);
   }
 }

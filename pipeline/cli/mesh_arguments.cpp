@@ -11,29 +11,37 @@
 namespace quarry::cli {
 namespace {
 
+// The most that the engine's 32-bit numbers of sides can hold, with room for what is deleted on the way.
+constexpr double kMostElements = 5e8;
+
+// A check that says nothing in the help text, where the type already tells the values.
+CLI::Validator one_of(std::vector<std::string> values) {
+  return CLI::IsMember(std::move(values)).description("");
+}
+
 void add_shape_options(CLI::App& command, MeshArguments& arguments) {
   const auto option = [&](const char* name, auto& value, const char* type, const char* help) {
     return command.add_option(name, value, help)->type_name(type)->group("Elements");
   };
   option("--elements", arguments.elements, "quad|tri|mixed",
          "quad (default): quadrilaterals only; tri: triangles only; mixed is not built yet")
-      ->check(CLI::IsMember({"quad", "tri", "mixed"}));
+      ->check(one_of({"quad", "tri", "mixed"}));
   option("--method", arguments.method, "deferred|front|blocks",
          "deferred (default): lines are worked into a start mesh; the others are not built yet")
-      ->check(CLI::IsMember({"deferred", "front", "blocks"}));
+      ->check(one_of({"deferred", "front", "blocks"}));
   option("--start", arguments.start, "4-8|delaunay|FILE",
          "the mesh that the lines are worked into; default 4-8: a lattice of right triangles");
   option("--orient", arguments.orient, "auto|DEGREES",
          "turns the 4-8 lattice counter-clockwise; default 0; auto: along the longest lines");
   option("--preset", arguments.preset, "default|paper",
          "paper: constraint insertion as published (Araujo & Celes 2014), for comparison")
-      ->check(CLI::IsMember({"default", "paper"}));
+      ->check(one_of({"default", "paper"}));
   option("--quads", arguments.quads, "cluster|matching",
          "how triangles become quadrilaterals; default cluster; matching is not built yet")
-      ->check(CLI::IsMember({"cluster", "matching"}));
+      ->check(one_of({"cluster", "matching"}));
   option("--cleanup", arguments.cleanup, "none|local|full",
          "topological clean-up; default none; the others are not built yet")
-      ->check(CLI::IsMember({"none", "local", "full"}));
+      ->check(one_of({"none", "local", "full"}));
   command
       .add_flag(
           "--keep-boundary", arguments.keep_boundary,
@@ -57,9 +65,8 @@ void add_output_options(CLI::App& command, MeshArguments& arguments) {
   command.add_flag("--compress", arguments.compress, "zlib in a .vtu: about half the bytes, slower to write")
       ->group(group);
   command
-      .add_option(
-          "--require", arguments.require,
-          "exit code 6, and no mesh, unless it is met; several with commas or repeated: " + demand_help())
+      .add_option("--require", arguments.require,
+                  "exit code 6, and no mesh, unless it is met; the figures stand below")
       ->delimiter(',')
       ->take_all()
       ->allow_extra_args(false)
@@ -93,7 +100,7 @@ void add_line_options(CLI::App& command, SectionOptions& section) {
   const auto option = [&](const char* name, auto& value, const char* type, const char* help) {
     return command.add_option(name, value, help)->type_name(type);
   };
-  option("inputs", section.inputs, "INPUT...", "GeoJSON files with lines or polygons");
+  option("inputs", section.inputs, "FILE", "GeoJSON files with lines or polygons");
   const char* group = "Lengths, in input units";
   option("--size", section.size, "H", "wanted length of an element's edge")->group(group);
   option("--snap", section.snap, "T",

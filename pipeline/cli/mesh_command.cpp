@@ -1,4 +1,7 @@
+#include <algorithm>
+#include <cmath>
 #include <memory>
+#include <string>
 #include <utility>
 
 #include <fmt/format.h>
@@ -18,6 +21,13 @@
 
 namespace quarry::cli {
 namespace {
+
+// A count with three digits that mean something: "15900", "1.59 million".
+std::string rounded(double count) {
+  if (count >= 1e6) return fmt::format("{:.3g} million", count / 1e6);
+  const double unit = std::pow(10.0, std::max(0.0, std::floor(std::log10(std::max(count, 1.0))) - 2));
+  return fmt::format("{:.0f}", unit * std::round(count / unit));
+}
 
 void check(MeshArguments& arguments) {
   fill_section(arguments);
@@ -68,7 +78,7 @@ void run(MeshArguments& arguments) {
   const Progress progress = bar.progress();
   arguments.section.on_prediction = [&bar](double elements, double bytes) {
     bar.clear();
-    log::info("about {:.3g} elements and at most {:.3g} MB of memory are to be expected", elements,
+    log::info("about {} elements and at most {:.0f} MB of memory are to be expected", rounded(elements),
               bytes / 1e6);
   };
   const std::string hash = hash_inputs(arguments.section);
@@ -101,8 +111,9 @@ void add_mesh_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand("mesh", "lines (section, trace map) -> mesh");
   const auto arguments = std::make_shared<MeshArguments>();
   add_mesh_options(*command, *arguments);
-  command->footer(
-      "\nExample: quarry mesh traces.geojson -o traces.vtu --size 5 --boundary area.geojson --report r.json");
+  command->footer("\nFigures of --require, several with commas:\n" + demand_help() +
+                  "\nExample: quarry mesh traces.geojson -o traces.vtu --size 5 --boundary area.geojson "
+                  "--require irregular=5");
   command->callback([command, arguments] {
     if (!arguments->config.empty()) apply_config(*command, arguments->config);
     run_job(arguments->common, [&] { run(*arguments); });
