@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <queue>
 #include <tuple>
@@ -15,6 +16,9 @@
 
 namespace quarry::linework {
 namespace {
+
+// Angles below this make bad elements: none is made narrower by what could as well be left. Radians.
+constexpr double kNarrow = 25 * std::numbers::pi / 180;
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
@@ -117,6 +121,30 @@ class Thinner {
     return true;
   }
 
+  // The smallest angle between edges that leave a point for these nodes.
+  [[nodiscard]] double smallest_angle_at(Vec2 center, const std::vector<NodeId>& others) const {
+    std::vector<double> angles;
+    for (const NodeId other : others) {
+      const Vec2 along = network_.nodes[other] - center;
+      angles.push_back(std::atan2(along.y, along.x));
+    }
+    std::sort(angles.begin(), angles.end());
+    double smallest = angles.size() < 2 ? kNever : angles.front() + 2 * std::numbers::pi - angles.back();
+    for (std::size_t i = 1; i < angles.size(); ++i) smallest = std::min(smallest, angles[i] - angles[i - 1]);
+    return smallest;
+  }
+
+  // Whether an edge of a node that leads to `now` instead of `before` makes a narrow angle there that was
+  // not.
+  [[nodiscard]] bool narrows(NodeId node, NodeId before, NodeId now) const {
+    const Vec2 center = network_.nodes[node];
+    std::vector<NodeId> others = links_.neighbours(node);
+    const double was = smallest_angle_at(center, others);
+    std::erase(others, now);
+    std::replace(others.begin(), others.end(), before, now);
+    return smallest_angle_at(center, others) < std::min(was, kNarrow);
+  }
+
   void push(NodeId node) {
     const auto ends = neighbours_of_bend(node);
     ++version_[node.value()];
@@ -143,6 +171,7 @@ class Thinner {
 
   bool remove_bend(NodeId node, std::array<NodeId, 2> ends) {
     if (links_.joined(ends[0], ends[1]) || !free_to_sweep(ends[0], node, ends[1])) return false;
+    if (narrows(ends[0], node, ends[1]) || narrows(ends[1], node, ends[0])) return false;
     links_.remove_node(node);
     return true;
   }
@@ -236,9 +265,18 @@ class Thinner {
   }
 
   [[nodiscard]] bool free_to_merge(NodeId gone, NodeId kept) const {
-    for (const NodeId other : links_.neighbours(gone))
-      if (other != kept && !free_to_sweep(kept, gone, other)) return false;
-    return true;
+    const std::vector<NodeId> others = links_.neighbours(gone);
+    for (const NodeId other : others)
+      if (other != kept && (!free_to_sweep(kept, gone, other) || narrows(other, gone, kept))) return false;
+    std::vector<NodeId> joined = links_.neighbours(kept);
+    const double was = std::min(smallest_angle_at(network_.nodes[gone], others),
+                                smallest_angle_at(network_.nodes[kept], joined));
+    joined.insert(joined.end(), others.begin(), others.end());
+    std::erase(joined, gone);
+    std::erase(joined, kept);
+    std::sort(joined.begin(), joined.end());
+    joined.erase(std::unique(joined.begin(), joined.end()), joined.end());
+    return smallest_angle_at(network_.nodes[kept], joined) >= std::min(was, kNarrow);
   }
 
   PathNetwork& network_;
