@@ -52,6 +52,19 @@ class MeshEditor {
     mesh_->set_corner(SideId(f, 3), VertexId());
     mesh_->set_neighbour(SideId(f, 3), SideId());
   }
+  // The same for a quad.
+  void set_quad(FaceId f, VertexId a, VertexId b, VertexId c, VertexId d) {
+    check_face(f, "writes");
+    for (const VertexId v : {a, b, c, d}) check_vertex(v, "makes a corner of");
+    mesh_->set_corner(SideId(f, 0), a);
+    mesh_->set_corner(SideId(f, 1), b);
+    mesh_->set_corner(SideId(f, 2), c);
+    mesh_->set_corner(SideId(f, 3), d);
+  }
+  void delete_face(FaceId f) {
+    check_face(f, "deletes");
+    mesh_->delete_face(f);
+  }
   // Makes two sides each other's neighbour; t may be none, which puts s on the boundary.
   void join(SideId s, SideId t) {
     check_side(s);

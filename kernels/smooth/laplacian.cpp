@@ -35,12 +35,14 @@ class LaplacianMover {
 
   bool move(Mesh& mesh, VertexId v) {
     star_.gather(mesh, v);
-    const double before = star_.worst({}, -2);
+    // Where the worst face cannot be helped, as in an acute wedge between lines, it must not licence others
+    // to sink.
+    const double bar = std::max(star_.worst(), kFloor);
     for (const double step : {1.0, 0.5, 0.25}) {
       const Vec2 target = slide_.allowed(v, star_.place() + step * star_.umbrella());
       const Vec2 offset = target - star_.place();
       if (!far_enough(offset, star_.shortest_squared())) return false;
-      if (star_.worst(offset, before) < before || !star_.valid_at(target)) continue;
+      if (!star_.keeps_faces(offset, bar) || !star_.valid_at(target)) continue;
       mesh.set_point(v, target);
       return true;
     }
@@ -59,6 +61,8 @@ class LaplacianMover {
   }
 
  private:
+  static constexpr double kFloor = 0.25;
+
   [[nodiscard]] bool far_enough(Vec2 offset, double shortest_squared) const {
     return squared_length(offset) > tolerance_ * tolerance_ * shortest_squared;
   }

@@ -19,36 +19,31 @@ class CornerMover {
   bool wants(const Mesh& mesh, VertexId v) {
     if (!slide_.movable(v)) return false;
     star_.gather(mesh, v);
-    return star_.worst({}, floor_) < floor_;
+    return star_.worst() < floor_;
   }
 
   bool move(Mesh& mesh, VertexId v) {
     star_.gather(mesh, v);
-    best_ = star_.worst({}, -2);
-    if (best_ >= floor_) return false;
+    if (star_.worst() >= floor_) return false;
+    best_ = star_.badness_at({});
     const double before = best_;
     best_place_ = star_.place();
-    const double edge = std::sqrt(star_.shortest_squared());
+    const double edge = std::sqrt(star_.mean_squared());
     try_place(v, star_.place() + star_.umbrella());
     for (double step = kFirstStep; step >= smallest_step_;) {
       if (!search(v, step * edge)) step *= 0.5;
     }
-    // Gains below a thousandth are not worth waking the neighbours.
-    if (!(best_ > before + 1e-3 * std::abs(before))) return false;
+    // Smaller gains are not worth waking the neighbours.
+    if (!(best_ < (1 - kSmallestGain) * before)) return false;
     mesh.set_point(v, best_place_);
     return true;
   }
 
-  void wake(const Mesh& mesh, VertexId v, WakeList& list) {
-    if (slide_.movable(v)) list.wake(v);
-    for_each_side_around(mesh, v, [&](SideId side) {
-      for (SideId s = mesh.next(side); s != side; s = mesh.next(s))
-        if (slide_.movable(mesh.origin(s))) list.wake(mesh.origin(s));
-    });
-  }
+  void wake(const Mesh& mesh, VertexId v, WakeList& list) { wake_star(mesh, slide_, v, list); }
 
  private:
   static constexpr double kFirstStep = 0.3;
+  static constexpr double kSmallestGain = 1e-3;
 
   bool search(VertexId v, double step) {
     const Vec2 along = slide_.direction(v);
@@ -66,9 +61,9 @@ class CornerMover {
 
   bool try_place(VertexId v, Vec2 wanted) {
     const Vec2 p = slide_.allowed(v, wanted);
-    const double measure = star_.worst(p - star_.place(), best_);
-    if (!(measure > best_) || !star_.valid_at(p)) return false;
-    best_ = measure;
+    const double badness = star_.badness_at(p - star_.place());
+    if (!(badness < best_) || !star_.valid_at(p)) return false;
+    best_ = badness;
     best_place_ = p;
     return true;
   }

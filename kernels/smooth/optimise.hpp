@@ -11,13 +11,14 @@ struct OptimiseOptions {
   // Stars whose worst face has a measure (sine of the worst corner times aspect factor) of this or more are
   // left alone.
   double target = 0.7;
-  // Moves shorter than this share of the shortest edge are not looked for.
+  // Moves shorter than this share of the edges at the vertex are not looked for.
   double smallest_step = 0.01;
 };
 
-// For one vertex after the other, searches the place that maximises the measure of the worst face of its star
-// (kernels/smooth/star.hpp: corner sines with an aspect guard). A star's worst face never becomes worse,
-// every corner turns left (exact) after each move, and vertices that may not move keep their bits.
+// For one vertex after the other, searches the place with the smallest sum of 1 / measure over the faces of
+// its star (kernels/smooth/star.hpp: squared corner sines with an aspect guard) among those where the worst
+// face is no worse than before. Every corner turns left (exact) after each move, and vertices that may not
+// move keep their bits.
 SweepReport optimise_corners(Mesh& mesh, const NodedLines& lines, const OptimiseOptions& options,
                              const Progress& progress);
 

@@ -9,47 +9,87 @@
 namespace quarry {
 namespace {
 
-// Sign and square of the sine between two edges of the given squared lengths.
+// sin |sin| of a corner from the cross product of its edges and the product of their squared lengths.
 double signed_square(double area, double lengths) {
   return lengths > 0 ? area * std::abs(area) / lengths : -1.0;
 }
 
-// 4 l_min / l_max, squared.
-constexpr double kAspectGuard = 16.0;
+// The guard for edges of these squared lengths, see Star.
+double aspect_factor(double shortest, double longest) {
+  constexpr double kMild = 4.0 * 4.0;
+  constexpr double kSteep = 8.0 * 8.0;
+  if (kMild * shortest >= longest) return 1.0;
+  const double mild = kMild * shortest / longest;
+  if (kSteep * shortest >= longest) return mild;
+  const double steep = kSteep * shortest / longest;
+  return mild * steep * steep;
+}
+
+double measure_quad(const StarFace& face, Vec2 out, Vec2 back) {
+  const double oo = squared_length(out);
+  const double bb = squared_length(back);
+  double worst = std::min(face.far_corner, signed_square(cross(out, back), oo * bb));
+  worst = std::min(worst, signed_square(cross(out, face.far_next), oo * face.far_next_squared));
+  worst =
+      std::min(worst, signed_square(cross(face.far_previous, -1.0 * back), bb * face.far_previous_squared));
+  const double shortest =
+      std::min(std::min(face.far_next_squared, face.far_previous_squared), std::min(oo, bb));
+  const double longest =
+      std::max(std::max(face.far_next_squared, face.far_previous_squared), std::max(oo, bb));
+  // A small factor must not lift a negative value.
+  return worst > 0 ? worst * aspect_factor(shortest, longest) : worst;
+}
+
+// 4 sqrt(3) A = 2 sqrt(3) times the cross product; its square is 12 times.
+double measure_triangle(const StarFace& face, Vec2 out, Vec2 back) {
+  const double squares = face.far_next_squared + squared_length(out) + squared_length(back);
+  const double area = cross(out, back);
+  return squares > 0 ? 12 * area * std::abs(area) / (squares * squares) : -1.0;
+}
 
 }  // namespace
+
+double Star::measure(const StarFace& face, Vec2 offset) {
+  const Vec2 out = face.next - offset;
+  const Vec2 back = face.previous - offset;
+  return face.quad ? measure_quad(face, out, back) : measure_triangle(face, out, back);
+}
 
 void Star::gather(const Mesh& mesh, VertexId v) {
   place_ = mesh.point(v);
   umbrella_ = {};
   shortest_squared_ = std::numeric_limits<double>::infinity();
+  mean_squared_ = 0;
+  worst_ = 1;
   faces_.clear();
   corners_.clear();
   double joined = 0;
   const auto join = [&](Vec2 edge) {
     umbrella_ = umbrella_ + edge;
     joined += 1;
+    mean_squared_ += squared_length(edge);
     shortest_squared_ = std::min(shortest_squared_, squared_length(edge));
   };
   const SideId first = mesh.side_of(v);
   for (SideId s = first; s.valid();) {
-    Face face;
     const SideId forward = mesh.next(s);
     const SideId back = mesh.previous(s);
     const Vec2 next = mesh.point(mesh.origin(forward));
     const Vec2 previous = mesh.point(mesh.origin(back));
+    StarFace face;
     face.quad = mesh.corner_count(s.face()) == 4;
     const Vec2 opposite = face.quad ? mesh.point(mesh.target(forward)) : previous;
     face.next = next - place_;
     face.previous = previous - place_;
-    face.opposite = opposite - place_;
-    const Vec2 a = opposite - next;
-    const Vec2 b = previous - opposite;
-    const double aa = squared_length(a);
-    const double bb = squared_length(b);
-    face.opposite_corner = face.quad ? signed_square(cross(a, b), aa * bb) : 1.0;
-    face.shortest = face.quad ? std::min(aa, bb) : aa;
-    face.longest = face.quad ? std::max(aa, bb) : aa;
+    face.far_next = opposite - next;
+    face.far_previous = face.quad ? previous - opposite : face.far_next;
+    face.far_next_squared = squared_length(face.far_next);
+    face.far_previous_squared = squared_length(face.far_previous);
+    face.far_corner = face.quad ? signed_square(cross(face.far_next, face.far_previous),
+                                                face.far_next_squared * face.far_previous_squared)
+                                : 1.0;
+    face.measure = measure(face, {});
+    worst_ = std::min(worst_, face.measure);
     faces_.push_back(face);
     corners_.insert(corners_.end(), {next, opposite, previous});
     join(face.next);
@@ -58,40 +98,23 @@ void Star::gather(const Mesh& mesh, VertexId v) {
     if (s == first) break;
   }
   umbrella_ = (1.0 / joined) * umbrella_;
+  mean_squared_ /= joined;
 }
 
-double Star::measure_quad(const Face& face, Vec2 offset) {
-  const Vec2 out = face.next - offset;
-  const Vec2 back = face.previous - offset;
-  const double oo = squared_length(out);
-  const double bb = squared_length(back);
-  const Vec2 far_next = face.opposite - face.next;
-  const Vec2 far_previous = face.previous - face.opposite;
-  double worst = std::min(face.opposite_corner, signed_square(cross(out, back), oo * bb));
-  worst = std::min(worst, signed_square(cross(out, far_next), oo * squared_length(far_next)));
-  worst = std::min(worst, signed_square(cross(back, far_previous), bb * squared_length(far_previous)));
-  const double shortest = std::min(face.shortest, std::min(oo, bb));
-  const double longest = std::max(face.longest, std::max(oo, bb));
-  // A small factor must not lift a negative value.
-  return worst > 0 && kAspectGuard * shortest < longest ? worst * (kAspectGuard * shortest / longest) : worst;
-}
-
-double Star::measure_triangle(const Face& face, Vec2 offset) {
-  const Vec2 out = face.next - offset;
-  const Vec2 back = face.previous - offset;
-  const double squares = face.shortest + squared_length(out) + squared_length(back);
-  // 4 sqrt(3) A = 2 sqrt(3) times the cross product; its square is 12.
-  const double area = cross(out, back);
-  return squares > 0 ? 12 * area * std::abs(area) / (squares * squares) : -1.0;
-}
-
-double Star::worst(Vec2 offset, double floor) const {
-  double worst = 1;
-  for (const Face& face : faces_) {
-    worst = std::min(worst, face.quad ? measure_quad(face, offset) : measure_triangle(face, offset));
-    if (worst < floor) break;
+double Star::badness_at(Vec2 offset) const {
+  double sum = 0;
+  for (const StarFace& face : faces_) {
+    const double value = measure(face, offset);
+    if (value < worst_ || !(value > 0)) return std::numeric_limits<double>::infinity();
+    sum += 1.0 / value;
   }
-  return worst;
+  return sum;
+}
+
+bool Star::keeps_faces(Vec2 offset, double bar) const {
+  for (const StarFace& face : faces_)
+    if (measure(face, offset) < std::min(face.measure, bar)) return false;
+  return true;
 }
 
 bool Star::valid_at(Vec2 p) const {

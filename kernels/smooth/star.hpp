@@ -2,16 +2,31 @@
 // by.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "engine/mesh/mesh.hpp"
 
 namespace quarry {
 
+// A face of a star. Places are relative to where the vertex stood when the star was gathered. What no move of
+// the vertex changes is kept: the far edges and the corner between them.
+struct StarFace {
+  Vec2 next, previous;  // the corners joined to the vertex
+  Vec2 far_next,
+      far_previous;  // of a quad: the edges from `next` to the opposite corner and from there to `previous`
+  double far_next_squared,
+      far_previous_squared;  // their squared lengths; of a triangle both that of its far edge
+  double far_corner;         // sin |sin| between the far edges; 1 for a triangle
+  double measure;            // of the face as gathered
+  bool quad;
+};
+
 // How good a face is, for comparison only: no square roots, signs kept.
-//   quad      the smallest sin |sin| of its corners, times min(1, (4 shortest edge / longest edge)^2). The
-//   second
-//             factor is what a scaled Jacobian lacks: it is blind to edges that shrink to nothing.
+//   quad      the smallest sin |sin| of its corners, times min(1, (4 r)^2) min(1, (8 r)^4) with r = shortest
+//   edge /
+//             longest edge. The factors are what a scaled Jacobian lacks: it is blind to edges that shrink to
+//             nothing.
 //   triangle  the signed square of Lo's measure.
 // Both lie in [-1, 1]; a square and an equilateral triangle have 1.
 class Star {
@@ -19,32 +34,34 @@ class Star {
   // Reads the faces around v. Keeps its memory from one star to the next.
   void gather(const Mesh& mesh, VertexId v);
 
+  [[nodiscard]] std::span<const StarFace> faces() const { return faces_; }
   [[nodiscard]] Vec2 place() const { return place_; }
   // The mean of the joined vertices, relative to place().
   [[nodiscard]] Vec2 umbrella() const { return umbrella_; }
   // The squared length of the shortest edge at the vertex.
   [[nodiscard]] double shortest_squared() const { return shortest_squared_; }
+  // The mean of the squared lengths of the edges at the vertex.
+  [[nodiscard]] double mean_squared() const { return mean_squared_; }
+  // The measure of the worst face.
+  [[nodiscard]] double worst() const { return worst_; }
 
-  // The measure of the worst face, were the vertex at place() + offset. Gives up, with some value below the
-  // floor, once a face is below it.
-  [[nodiscard]] double worst(Vec2 offset, double floor) const;
-
+  // The sum of 1 / measure of the faces, were the vertex at place() + offset; infinite if one is worse than
+  // the worst is now. Unlike the minimum it tells better from worse also where a face that no move can help
+  // has the minimum.
+  [[nodiscard]] double badness_at(Vec2 offset) const;
+  // True if no face would fall below the bar that is above it now, nor any other become worse.
+  [[nodiscard]] bool keeps_faces(Vec2 offset, double bar) const;
   // True if every corner of the star turns left were the vertex at p (exact).
   [[nodiscard]] bool valid_at(Vec2 p) const;
 
  private:
-  struct Face {
-    Vec2 next, opposite, previous;  // relative to place_; the opposite corner of quads only
-    double opposite_corner;         // its sin |sin|, which no move changes
-    double shortest, longest;       // squares, of the edges that no move changes
-    bool quad;
-  };
-  [[nodiscard]] static double measure_quad(const Face& face, Vec2 offset);
-  [[nodiscard]] static double measure_triangle(const Face& face, Vec2 offset);
+  [[nodiscard]] static double measure(const StarFace& face, Vec2 offset);
 
   Vec2 place_, umbrella_;
   double shortest_squared_ = 0;
-  std::vector<Face> faces_;
+  double mean_squared_ = 0;
+  double worst_ = 1;
+  std::vector<StarFace> faces_;
   std::vector<Vec2> corners_;  // of each face: next, opposite, previous, as stored in the mesh
 };
 

@@ -1,0 +1,149 @@
+#include "kernels/smooth/square_corners.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "kernels/smooth/slide.hpp"
+#include "kernels/smooth/star.hpp"
+
+namespace quarry {
+namespace {
+
+Vec2 turned_left(Vec2 a) { return {-a.y, a.x}; }
+
+// tan((90 degrees - angle) / 2) = cos / (1 + sin) of a corner, and its derivative by the angle.
+struct CornerResidual {
+  double value;
+  double slope;
+};
+CornerResidual residual(Vec2 out, Vec2 back, double lengths) {
+  const double below = lengths + cross(out, back);
+  return {dot(out, back) / below, -lengths / below};
+}
+
+// The sum of squares with its gradient and the Gauss-Newton approximation of its second derivatives.
+struct Quadratic {
+  double value = 0;
+  Vec2 gradient;
+  double xx = 0, xy = 0, yy = 0;
+
+  void add(CornerResidual r, Vec2 angle_gradient) {
+    const Vec2 g = r.slope * angle_gradient;
+    value += r.value * r.value;
+    gradient = gradient + r.value * g;
+    xx += g.x * g.x;
+    xy += g.x * g.y;
+    yy += g.y * g.y;
+  }
+};
+
+class SquaringMover {
+ public:
+  SquaringMover(const Slide& slide, const SquareCornersOptions& options)
+      : slide_(slide),
+        options_(options),
+        content_(options.content * options.content),
+        floor_(options.floor * options.floor) {}
+
+  bool wants(const Mesh& mesh, VertexId v) {
+    if (!slide_.movable(v)) return false;
+    star_.gather(mesh, v);
+    return star_.worst() < content_;
+  }
+
+  bool move(Mesh& mesh, VertexId v) {
+    star_.gather(mesh, v);
+    const Quadratic here = sum_at({});
+    Vec2 step = minimiser(here, slide_.direction(v));
+    // The quadratic is no good guide beyond the nearest neighbour.
+    const double reach = 0.25 * star_.shortest_squared();
+    const double squared = squared_length(step);
+    if (squared > reach) step = std::sqrt(reach / squared) * step;
+    for (int attempt = 0; attempt < 3; ++attempt, step = 0.5 * step) {
+      const Vec2 target = slide_.allowed(v, star_.place() + step);
+      const Vec2 offset = target - star_.place();
+      if (!(squared_length(offset) > options_.tolerance * options_.tolerance * star_.shortest_squared()))
+        return false;
+      if (!star_.keeps_faces(offset, floor_) || !(value_at(offset) < here.value) || !star_.valid_at(target))
+        continue;
+      mesh.set_point(v, target);
+      return true;
+    }
+    return false;
+  }
+
+  void wake(const Mesh& mesh, VertexId v, WakeList& list) { wake_star(mesh, slide_, v, list); }
+
+ private:
+  [[nodiscard]] double spring_weight() const {
+    return options_.spring * options_.spring / star_.shortest_squared();
+  }
+
+  [[nodiscard]] Quadratic sum_at(Vec2 offset) const {
+    Quadratic sum;
+    for (const StarFace& face : star_.faces()) {
+      const Vec2 out = face.next - offset;
+      const Vec2 back = face.previous - offset;
+      const double oo = squared_length(out);
+      const double bb = squared_length(back);
+      const Vec2 out_turn = (1.0 / oo) * turned_left(out);
+      const Vec2 back_turn = (1.0 / bb) * turned_left(back);
+      sum.add(residual(out, back, std::sqrt(oo * bb)), out_turn - back_turn);
+      sum.add(residual(face.far_next, -1.0 * out, std::sqrt(oo * face.far_next_squared)), -1.0 * out_turn);
+      sum.add(residual(-1.0 * back, -1.0 * face.far_previous, std::sqrt(bb * face.far_previous_squared)),
+              back_turn);
+    }
+    const double w = spring_weight();
+    const Vec2 stretch = offset - star_.umbrella();
+    sum.value += w * squared_length(stretch);
+    sum.gradient = sum.gradient + w * stretch;
+    sum.xx += w;
+    sum.yy += w;
+    return sum;
+  }
+
+  [[nodiscard]] double value_at(Vec2 offset) const {
+    double sum = spring_weight() * squared_length(offset - star_.umbrella());
+    for (const StarFace& face : star_.faces()) {
+      const Vec2 out = face.next - offset;
+      const Vec2 back = face.previous - offset;
+      const double oo = squared_length(out);
+      const double bb = squared_length(back);
+      const double a = residual(out, back, std::sqrt(oo * bb)).value;
+      const double b = residual(face.far_next, -1.0 * out, std::sqrt(oo * face.far_next_squared)).value;
+      const double c =
+          residual(-1.0 * back, -1.0 * face.far_previous, std::sqrt(bb * face.far_previous_squared)).value;
+      sum += a * a + b * b + c * c;
+    }
+    return sum;
+  }
+
+  // Along a direction (of length 1), or anywhere if it is zero.
+  static Vec2 minimiser(const Quadratic& q, Vec2 along) {
+    if (!(along == Vec2{})) {
+      const double curvature =
+          q.xx * along.x * along.x + 2 * q.xy * along.x * along.y + q.yy * along.y * along.y;
+      return (-dot(q.gradient, along) / curvature) * along;
+    }
+    const double determinant = q.xx * q.yy - q.xy * q.xy;
+    return {-(q.yy * q.gradient.x - q.xy * q.gradient.y) / determinant,
+            -(q.xx * q.gradient.y - q.xy * q.gradient.x) / determinant};
+  }
+
+  Slide slide_;
+  SquareCornersOptions options_;
+  double content_;
+  double floor_;
+  Star star_;
+};
+
+}  // namespace
+
+SweepReport square_corners(Mesh& mesh, const NodedLines& lines, const SquareCornersOptions& options,
+                           const Progress& progress) {
+  VertexColouring colouring(mesh);
+  const SquaringMover mover(Slide(mesh, ConstraintTags::of(mesh), lines), options);
+  return run_sweeps(mesh, colouring, mover, options.sweeps, progress);
+}
+
+}  // namespace quarry

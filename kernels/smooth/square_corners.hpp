@@ -1,0 +1,31 @@
+// Sweeps that make the corners of quads as right-angled as the mesh's topology allows: what lifts the mean.
+#pragma once
+
+#include "engine/mesh/constraint.hpp"
+#include "kernels/smooth/sweep.hpp"
+
+namespace quarry {
+
+struct SquareCornersOptions {
+  int sweeps = 6;
+  // Stars all of whose faces have a measure (sine of the worst corner times aspect factor) above this are
+  // left alone at first.
+  double content = 0.98;
+  // Faces may lose quality for others' sake down to this measure, and never below.
+  double floor = 0.7;
+  // The pull towards the mean of the neighbours, which keeps sizes even, against that of the corners.
+  double spring = 0.2;
+  // A vertex that would move by less than this share of its shortest edge stays where it is.
+  double tolerance = 0.01;
+};
+
+// One Gauss-Newton step a vertex and sweep on
+//   sum over the corners of its star of tan((90 degrees - angle) / 2)^2 + spring^2 |p - mean of neighbours|^2
+//   / edge^2,
+// whole or half or a quarter of it. A move is accepted only if this sum falls, every corner of the star turns
+// left (exact), and no face falls below the floor, or, below it, becomes worse. Sliding vertices step along
+// their piece; vertices that may not move keep their bits.
+SweepReport square_corners(Mesh& mesh, const NodedLines& lines, const SquareCornersOptions& options,
+                           const Progress& progress);
+
+}  // namespace quarry
