@@ -57,14 +57,17 @@ Lattice make_lattice(const Box2& box, const CrisscrossOptions& options) {
           make_axis(center.y - half_height, center.y + half_height, options.cell), cosine, sine, center};
 }
 
-// The cells of a lattice, in rows. Cell c has the faces 2c, which has the bottom side, and 2c + 1, which has the top.
+// The cells of a lattice, in rows. Cell c has the faces 2c, which has the bottom side, and 2c + 1, which has
+// the top.
 struct Cells {
   std::uint32_t columns, rows;
 
   // The diagonal joins the lower left and the upper right corner; else the other two.
   [[nodiscard]] static bool rising(std::uint32_t i, std::uint32_t j) { return (i + j) % 2 == 0; }
   [[nodiscard]] FaceId lower(std::uint32_t i, std::uint32_t j) const { return FaceId(2 * (j * columns + i)); }
-  [[nodiscard]] FaceId upper(std::uint32_t i, std::uint32_t j) const { return FaceId(2 * (j * columns + i) + 1); }
+  [[nodiscard]] FaceId upper(std::uint32_t i, std::uint32_t j) const {
+    return FaceId(2 * (j * columns + i) + 1);
+  }
 
   [[nodiscard]] SideId bottom(std::uint32_t i, std::uint32_t j) const { return {lower(i, j), 0}; }
   [[nodiscard]] SideId top(std::uint32_t i, std::uint32_t j) const { return {upper(i, j), 1}; }
@@ -76,8 +79,8 @@ struct Cells {
   }
 };
 
-// Corners counter-clockwise: rising cells (a, b, c) and (a, c, d), falling cells (a, b, d) and (b, c, d), with a the
-// lower left corner, b the lower right, c the upper right, d the upper left.
+// Corners counter-clockwise: rising cells (a, b, c) and (a, c, d), falling cells (a, b, d) and (b, c, d),
+// with a the lower left corner, b the lower right, c the upper right, d the upper left.
 void fill_cell(Mesh& mesh, const Cells& cells, std::uint32_t i, std::uint32_t j) {
   const std::uint32_t stride = cells.columns + 1;
   const VertexId a(j * stride + i), b(a.value() + 1), d(a.value() + stride), c(d.value() + 1);
@@ -110,7 +113,8 @@ double count_crisscross_triangles(const Box2& box, const CrisscrossOptions& opti
 
 Mesh make_crisscross(const Box2& box, const CrisscrossOptions& options) {
   const Lattice lattice = make_lattice(box, options);
-  const Cells cells{static_cast<std::uint32_t>(lattice.x.count + 2), static_cast<std::uint32_t>(lattice.y.count + 2)};
+  const Cells cells{static_cast<std::uint32_t>(lattice.x.count + 2),
+                    static_cast<std::uint32_t>(lattice.y.count + 2)};
   const std::size_t stride = std::size_t{cells.columns} + 1;
   Mesh mesh;
   mesh.grow_vertices(stride * (std::size_t{cells.rows} + 1));

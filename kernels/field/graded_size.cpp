@@ -1,0 +1,64 @@
+#include "kernels/field/graded_size.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "engine/base/error.hpp"
+#include "engine/geometry/segment.hpp"
+
+namespace quarry {
+namespace {
+
+void require_positive(double value, const char* what) {
+  if (!(value > 0) || !std::isfinite(value))
+    throw Error(ErrorKind::kUsage, fmt::format("{} is {}: it must be positive", what, value));
+}
+
+double smallest_of(const std::vector<SizeSource>& sources, const GradedSizeOptions& options) {
+  require_positive(options.largest, "the largest size");
+  require_positive(options.gradation, "the gradation of sizes");
+  double smallest = options.largest;
+  for (const SizeSource& source : sources) {
+    require_positive(source.size, "the size at a source");
+    smallest = std::min(smallest, source.size);
+  }
+  return smallest;
+}
+
+std::vector<Segment> segments_of(const std::vector<SizeSource>& sources) {
+  std::vector<Segment> segments;
+  segments.reserve(sources.size());
+  for (const SizeSource& source : sources) segments.push_back(source.segment);
+  return segments;
+}
+
+}  // namespace
+
+GradedSize::GradedSize(std::vector<SizeSource> sources, const GradedSizeOptions& options)
+    : sources_(std::move(sources)),
+      segments_(segments_of(sources_)),
+      options_(options),
+      smallest_(smallest_of(sources_, options)),
+      grid_(segments_, options.largest) {}
+
+double GradedSize::at(Vec2 p) const {
+  double size = options_.largest;
+  if (sources_.empty()) return size;
+  // Sources farther than a radius cannot be felt once the size found is no more than the least that they
+  // could ask for.
+  std::vector<std::uint32_t> ids;
+  for (double radius = smallest_;; radius *= 2) {
+    grid_.find(Box2{p, p}.grown(radius), ids);
+    for (const std::uint32_t id : ids) {
+      const auto& [segment, wanted] = sources_[id];
+      const double away = std::sqrt(squared_distance(p, segment.from, segment.to));
+      size = std::min(size, wanted + options_.gradation * away);
+    }
+    if (size <= smallest_ + options_.gradation * radius) return size;
+  }
+}
+
+}  // namespace quarry
