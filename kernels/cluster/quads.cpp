@@ -1,0 +1,46 @@
+#include "kernels/cluster/quads.hpp"
+
+#include <utility>
+
+#include "kernels/cluster/merge.hpp"
+
+namespace quarry {
+
+QuadOptions paper_quad_options() {
+  QuadOptions options;
+  options.mixed.pairing.measure = PairMeasure::kLongestEdge;
+  options.mixed.rounds = 0;
+  options.smoothing.sweeps = 10;
+  options.square_corners.sweeps = 0;
+  return options;
+}
+
+Mesh make_mixed(Mesh&& triangles, const NodedLines& lines, const MixedOptions& options, MixedReport& report,
+                const Progress& progress) {
+  Mesh mesh = std::move(triangles);
+  progress.report("pairing", 0);
+  const Pairing pairing =
+      pair_triangles(mesh, ConstraintTags::of(mesh), options.pairing, report.pairing, progress);
+  mesh = merge_pairs(std::move(mesh), pairing);
+  for (int round = 0; round < options.rounds; ++round) {
+    progress.report("pairing", static_cast<double>(round + 1) / (options.rounds + 1));
+    report.rearrange.push_back(rearrange(mesh, options.rearrange, progress));
+    report.smoothing.push_back(smooth_laplacian(mesh, lines, options.smoothing, progress));
+  }
+  return mesh;
+}
+
+Mesh make_quads(Mesh&& triangles, const NodedLines& lines, const QuadOptions& options, QuadReport& report,
+                const Progress& progress) {
+  Mesh mesh = make_mixed(std::move(triangles), lines, options.mixed, report.mixed, progress);
+  mesh = subdivide(std::move(mesh), lines, report.subdivide, progress);
+  progress.report("smoothing", 0);
+  report.smoothing = smooth_laplacian(mesh, lines, options.smoothing, progress);
+  progress.report("smoothing", 0.2);
+  report.square_corners = square_corners(mesh, lines, options.square_corners, progress);
+  progress.report("smoothing", 0.8);
+  report.optimise = optimise_corners(mesh, lines, options.optimise, progress);
+  return mesh;
+}
+
+}  // namespace quarry
