@@ -9,9 +9,9 @@
 #include "io/lines/line_reader.hpp"
 #include "kernels/cluster/merge.hpp"
 #include "kernels/deferred/deferred.hpp"
-#include "kernels/initial/crisscross.hpp"
 #include "kernels/smooth/laplacian.hpp"
 #include "kernels/smooth/optimise.hpp"
+#include "pipeline/section/start.hpp"
 
 namespace quarry {
 namespace {
@@ -44,12 +44,6 @@ double area_of(const Outline& outline) {
 // Spacing of the triangles that become elements of the wanted size: quads are halved triangles' edges.
 double spacing_of(const SectionOptions& options, double size) {
   return options.elements == Elements::kQuad ? 2 * size : size;
-}
-
-Mesh make_start(const SectionOptions& options, const SectionResult& result) {
-  Box2 box;
-  for (const Vec2 p : result.cleaned.lines.nodes) box.extend(p);
-  return make_crisscross(box, {.cell = spacing_of(options, result.lengths.size), .angle_degrees = result.orient_degrees});
 }
 
 // The hull of the start mesh stays where it is.
@@ -127,8 +121,9 @@ SectionResult mesh_section(const SectionOptions& options, const Progress& progre
   read_and_clean(options, result, clock, progress);
   tell_prediction(options, result);
   clock.start("start mesh");
-  result.orient_degrees = options.orient_degrees;
-  result.mesh = make_start(options, result);
+  result.orient_degrees = find_orientation(options, result.cleaned.lines);
+  result.mesh = make_start_mesh(options, result.cleaned.lines, spacing_of(options, result.lengths.size),
+                                result.orient_degrees);
   const ConstraintTags tags = prepare_start(result.mesh);
   clock.start("insertion");
   insert(options, result, progress);

@@ -1,0 +1,47 @@
+#include "pipeline/section/start.hpp"
+
+#include <fmt/format.h>
+
+#include "engine/base/error.hpp"
+#include "io/mesh/mesh_format.hpp"
+#include "kernels/initial/crisscross.hpp"
+#include "kernels/initial/delaunay.hpp"
+#include "kernels/initial/direction.hpp"
+#include "kernels/initial/given.hpp"
+
+namespace quarry {
+namespace {
+
+Mesh read_start(const std::string& path, const NodedLines& lines) {
+  const Mesh given = read_mesh(path);
+  try {
+    Mesh mesh = adopt_start_mesh(given);
+    require_lines_inside(mesh, lines);
+    return mesh;
+  } catch (const Error& error) {
+    throw Error(error.kind(), fmt::format("{}: {}", path, error.message()));
+  }
+}
+
+}  // namespace
+
+double find_orientation(const SectionOptions& options, const NodedLines& lines) {
+  return options.orient_auto ? dominant_direction(lines) : options.orient_degrees;
+}
+
+Mesh make_start_mesh(const SectionOptions& options, const NodedLines& lines, double spacing,
+                     double orient_degrees) {
+  Box2 box;
+  for (const Vec2 p : lines.nodes) box.extend(p);
+  switch (options.start) {
+    case StartMesh::kDelaunay:
+      return make_delaunay(box, {.spacing = spacing, .angle_degrees = orient_degrees, .seed = options.seed});
+    case StartMesh::kFile:
+      return read_start(options.start_file, lines);
+    case StartMesh::kCrisscross:
+      break;
+  }
+  return make_crisscross(box, {.cell = spacing, .angle_degrees = orient_degrees});
+}
+
+}  // namespace quarry
