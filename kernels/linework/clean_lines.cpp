@@ -202,7 +202,7 @@ CleanedLines clean_lines(const LineSet& lines, const Outline& outline, const Cle
   linework::note_lost_lines(network, "lies outside the outline", reasons);
 
   progress.report("clean", 0.7);
-  linework::thin_out(network, result.options, result.counts);
+  linework::thin_out(network, result.options, result.counts, progress);
   linework::note_lost_lines(network, "what is left of it is shorter than the shortest piece (min-edge)",
                             reasons);
   network.build_edges();

@@ -17,17 +17,20 @@
 namespace quarry::linework {
 namespace {
 
-// Angles below this make bad elements: none is made narrower by what could as well be left. Radians.
-constexpr double kNarrow = 25 * std::numbers::pi / 180;
+// Angles below these make bad elements (radians): none is made narrower by the removal of a bend, which could
+// as well be left, or by the collapse of a short edge, which is as bad as a rather narrow angle.
+constexpr double kNarrowForBend = 25 * std::numbers::pi / 180;
+constexpr double kNarrowForCollapse = 12 * std::numbers::pi / 180;
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
 class Thinner {
  public:
-  Thinner(PathNetwork& network, const CleanOptions& options, CleanCounts& counts)
+  Thinner(PathNetwork& network, const CleanOptions& options, CleanCounts& counts, const Progress& progress)
       : network_(network),
         options_(options),
         counts_(counts),
+        progress_(progress),
         links_(network),
         grid_(network.nodes.raw(), 4 * options.snap),
         version_(network.nodes.size(), 0) {}
@@ -104,11 +107,11 @@ class Thinner {
     const Vec2 pb = network_.nodes[b];
     const Vec2 pn = network_.nodes[n];
     const double margin = std::max(options_.snap, std::sqrt(squared_distance(pn, pa, pb)));
-    const double parts = std::clamp(std::floor(distance(pa, pb) / (8 * margin)), 1.0, 64.0);
-    for (double k = 0; k < parts; ++k) {
+    const auto parts = static_cast<int>(std::clamp(distance(pa, pb) / (8 * margin), 1.0, 64.0));
+    for (int k = 0; k < parts; ++k) {
       Box2 box;
-      box.extend(point_at(k / parts, pa, pb));
-      box.extend(point_at((k + 1) / parts, pa, pb));
+      box.extend(point_at(static_cast<double>(k) / parts, pa, pb));
+      box.extend(point_at(static_cast<double>(k + 1) / parts, pa, pb));
       grid_.find(box.grown(margin), near_);
       for (const std::uint32_t id : near_) {
         const NodeId m(id);
@@ -136,13 +139,13 @@ class Thinner {
 
   // Whether an edge of a node that leads to `now` instead of `before` makes a narrow angle there that was
   // not.
-  [[nodiscard]] bool narrows(NodeId node, NodeId before, NodeId now) const {
+  [[nodiscard]] bool narrows(NodeId node, NodeId before, NodeId now, double limit) const {
     const Vec2 center = network_.nodes[node];
     std::vector<NodeId> others = links_.neighbours(node);
     const double was = smallest_angle_at(center, others);
     std::erase(others, now);
     std::replace(others.begin(), others.end(), before, now);
-    return smallest_angle_at(center, others) < std::min(was, kNarrow);
+    return smallest_angle_at(center, others) < std::min(was, limit);
   }
 
   void push(NodeId node) {
@@ -161,17 +164,18 @@ class Thinner {
       const Candidate next = queue_.top();
       queue_.pop();
       if (next.version != version_[next.node.value()]) continue;
+      if (counts_.simplified % 1024 == 0) progress_.throw_if_cancelled();
       const auto ends = neighbours_of_bend(next.node);
-      if (!ends || !remove_bend(next.node, *ends)) continue;
+      if (!ends || !remove_bend(next.node, *ends, kNarrowForBend)) continue;
       ++counts_.simplified;
       push((*ends)[0]);
       push((*ends)[1]);
     }
   }
 
-  bool remove_bend(NodeId node, std::array<NodeId, 2> ends) {
+  bool remove_bend(NodeId node, std::array<NodeId, 2> ends, double narrow) {
     if (links_.joined(ends[0], ends[1]) || !free_to_sweep(ends[0], node, ends[1])) return false;
-    if (narrows(ends[0], node, ends[1]) || narrows(ends[1], node, ends[0])) return false;
+    if (narrows(ends[0], node, ends[1], narrow) || narrows(ends[1], node, ends[0], narrow)) return false;
     links_.remove_node(node);
     return true;
   }
@@ -209,7 +213,7 @@ class Thinner {
   // A dangling end: the bend before it gives way; at a junction the end does.
   bool shorten(NodeId end, NodeId inner) {
     const auto ends = neighbours_of_bend(inner);
-    if (ends && join_at(inner, limit()).allowed && remove_bend(inner, *ends)) return true;
+    if (ends && join_at(inner, limit()).allowed && remove_bend(inner, *ends, kNarrowForCollapse)) return true;
     if (!merge_allowed(end, inner)) return false;
     links_.merge(end, inner);
     return true;
@@ -221,7 +225,7 @@ class Thinner {
     const bool u_first = u_cost <= v_cost;
     for (const bool u_goes : {u_first, !u_first})
       if ((u_goes ? u_cost : v_cost) < kNever &&
-          remove_bend(u_goes ? u : v, *neighbours_of_bend(u_goes ? u : v)))
+          remove_bend(u_goes ? u : v, *neighbours_of_bend(u_goes ? u : v), kNarrowForCollapse))
         return true;
     return false;
   }
@@ -267,7 +271,9 @@ class Thinner {
   [[nodiscard]] bool free_to_merge(NodeId gone, NodeId kept) const {
     const std::vector<NodeId> others = links_.neighbours(gone);
     for (const NodeId other : others)
-      if (other != kept && (!free_to_sweep(kept, gone, other) || narrows(other, gone, kept))) return false;
+      if (other != kept &&
+          (!free_to_sweep(kept, gone, other) || narrows(other, gone, kept, kNarrowForCollapse)))
+        return false;
     std::vector<NodeId> joined = links_.neighbours(kept);
     const double was = std::min(smallest_angle_at(network_.nodes[gone], others),
                                 smallest_angle_at(network_.nodes[kept], joined));
@@ -276,12 +282,13 @@ class Thinner {
     std::erase(joined, kept);
     std::sort(joined.begin(), joined.end());
     joined.erase(std::unique(joined.begin(), joined.end()), joined.end());
-    return smallest_angle_at(network_.nodes[kept], joined) >= std::min(was, kNarrow);
+    return smallest_angle_at(network_.nodes[kept], joined) >= std::min(was, kNarrowForCollapse);
   }
 
   PathNetwork& network_;
   const CleanOptions& options_;
   CleanCounts& counts_;
+  const Progress& progress_;
   LinkedPaths links_;
   PointGrid grid_;
   std::vector<std::uint32_t> version_;
@@ -291,8 +298,9 @@ class Thinner {
 
 }  // namespace
 
-void thin_out(PathNetwork& network, const CleanOptions& options, CleanCounts& counts) {
-  if (!network.nodes.empty()) Thinner(network, options, counts).run();
+void thin_out(PathNetwork& network, const CleanOptions& options, CleanCounts& counts,
+              const Progress& progress) {
+  if (!network.nodes.empty()) Thinner(network, options, counts, progress).run();
 }
 
 }  // namespace quarry::linework

@@ -9,6 +9,7 @@ namespace quarry::linework {
 
 // Removes bends within options.tolerance, collapses edges shorter than options.min_edge where that moves no
 // line by more than snap + min_edge, and removes bends again. What is refused is left as it was.
-void thin_out(PathNetwork& network, const CleanOptions& options, CleanCounts& counts);
+void thin_out(PathNetwork& network, const CleanOptions& options, CleanCounts& counts,
+              const Progress& progress);
 
 }  // namespace quarry::linework

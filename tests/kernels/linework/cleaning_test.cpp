@@ -183,6 +183,13 @@ TEST(Cleaning, RefusesLengthsThatAreNone) {
   }
 }
 
+TEST(Cleaning, EndsWhenItIsCancelled) {
+  const LineSet raw = lines_of({{{0, 0}, {1, 1}}});
+  CancellationToken token;
+  token.cancel();
+  EXPECT_THROW((void)clean_lines(raw, box_outline(raw, 0.05), kOptions, Progress({}, &token)), Error);
+}
+
 TEST(RequireNoded, FindsWhatIsBroken) {
   NodedLines lines;
   lines.nodes = IdVector<NodeId, Vec2>(Points{{0, 0}, {4, 4}, {0, 4}, {4, 0}});
