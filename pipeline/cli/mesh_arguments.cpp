@@ -31,8 +31,9 @@ void add_shape_options(CLI::App& command, MeshArguments& arguments) {
       ->check(one_of({"deferred", "front", "blocks"}));
   option("--start", arguments.start, "4-8|delaunay|FILE",
          "the mesh that the lines are worked into; default 4-8: a lattice of right triangles");
-  option("--orient", arguments.orient, "auto|DEGREES",
-         "turns the 4-8 lattice counter-clockwise; default 0; auto: along the longest lines");
+  option(
+      "--orient", arguments.orient, "auto|DEGREES",
+      "turns the start mesh counter-clockwise; default 0; auto: along the direction that the lines prefer");
   option("--preset", arguments.preset, "default|paper",
          "paper: constraint insertion as published (Araujo & Celes 2014), for comparison")
       ->check(one_of({"default", "paper"}));
@@ -89,9 +90,15 @@ void refuse_what_is_not_built(const MeshArguments& arguments) {
   if (arguments.cleanup != "none") fail_not_built("--cleanup " + arguments.cleanup, "use none");
   if (arguments.keep_boundary) fail_not_built("--keep-boundary");
   if (!arguments.size_field.empty()) fail_not_built("--size-field", "use --size or --count");
-  if (arguments.start == "delaunay") fail_not_built("--start delaunay", "use 4-8");
-  if (arguments.start != "4-8") fail_not_built("--start with a mesh file", "use 4-8");
-  if (arguments.orient == "auto") fail_not_built("--orient auto", "give degrees");
+}
+
+void fill_start(MeshArguments& arguments) {
+  SectionOptions& section = arguments.section;
+  section.orient_auto = arguments.orient == "auto";
+  if (!section.orient_auto) section.orient_degrees = parse_degrees(arguments.orient);
+  if (arguments.start == "4-8") return;
+  section.start = arguments.start == "delaunay" ? StartMesh::kDelaunay : StartMesh::kFile;
+  if (section.start == StartMesh::kFile) section.start_file = arguments.start;
 }
 
 }  // namespace
@@ -156,7 +163,7 @@ void fill_section(MeshArguments& arguments) {
   refuse_what_is_not_built(arguments);
   section.elements = arguments.elements == "tri" ? Elements::kTriangle : Elements::kQuad;
   section.preset = arguments.preset == "paper" ? Preset::kPaper : Preset::kDefault;
-  section.orient_degrees = parse_degrees(arguments.orient);
+  fill_start(arguments);
 }
 
 }  // namespace quarry::cli
