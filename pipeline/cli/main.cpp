@@ -36,12 +36,17 @@ void add_commands(CLI::App& program) {
   add_planned_commands(program);
 }
 
-// The parser's own words for a word that is no command do not name it.
+// The parser's own words for a first word that it does not know do not name it.
 void require_known_command(const CLI::App& program, int argc, char** argv) {
   if (argc < 2) throw Error(ErrorKind::kUsage, "no command is given; quarry --help lists them");
   const std::string name = argv[1];
+  if (name.starts_with("-")) {
+    if (program.get_option_no_throw(name) != nullptr) return;
+    throw Error(ErrorKind::kUsage,
+                fmt::format("there is no option '{}' before a command; see quarry --help", name));
+  }
   const auto called = [&](const CLI::App* command) { return command->get_name() == name; };
-  if (!name.starts_with("-") && program.get_subcommands(called).empty())
+  if (program.get_subcommands(called).empty())
     throw Error(ErrorKind::kUsage, fmt::format("there is no command '{}'; quarry --help lists them", name));
 }
 

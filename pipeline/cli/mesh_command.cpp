@@ -9,6 +9,7 @@
 #include "engine/base/error.hpp"
 #include "engine/base/log.hpp"
 #include "io/mesh/mesh_format.hpp"
+#include "io/picture/picture.hpp"
 #include "kernels/quality/face.hpp"
 #include "kernels/quality/summary.hpp"
 #include "pipeline/cli/commands.hpp"
@@ -32,6 +33,7 @@ std::string rounded(double count) {
 void check(MeshArguments& arguments) {
   fill_section(arguments);
   check_mesh_extension(arguments.output);
+  if (!arguments.picture.empty()) check_picture_extension(arguments.picture);
   std::vector<std::string> inputs = arguments.section.inputs;
   inputs.push_back(arguments.section.boundary);
   check_outputs({arguments.output, arguments.report, arguments.picture}, inputs);
@@ -95,6 +97,7 @@ void run(MeshArguments& arguments) {
     throw;
   }
   write_mesh_file(arguments, result, hash);
+  if (!arguments.picture.empty()) write_picture(arguments.picture, result.mesh, PictureOptions());
   clock.stop();
   result.times.insert(result.times.end(), clock.times().begin(), clock.times().end());
   write_job_report(arguments, result, hash, quality);

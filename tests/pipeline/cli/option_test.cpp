@@ -1,0 +1,186 @@
+// What the command line takes, and what it refuses in one line with exit code 2.
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/pipeline/cli/command_run.hpp"
+
+namespace quarry {
+namespace {
+
+void expect_usage_error(const std::vector<std::string>& arguments, const std::string& word) {
+  const CommandResult result = run_quarry(arguments);
+  EXPECT_EQ(result.exit_code, 2) << result.err;
+  EXPECT_EQ(result.error_lines(), 1U) << result.err;
+  EXPECT_EQ(result.out, "");
+  EXPECT_NE(result.err.find(word), std::string::npos) << word << " in " << result.err;
+}
+
+nlohmann::json options_of(const std::string& report) {
+  return nlohmann::json::parse(read_text(report))["options"];
+}
+
+TEST(CommandLine, VersionAndHelpAreResults) {
+  for (const std::vector<std::string>& arguments : {std::vector<std::string>{"--version"},
+                                                    {"--help"},
+                                                    {"mesh", "--help"},
+                                                    {"clean", "--help"},
+                                                    {"quality", "--help"},
+                                                    {"convert", "--help"},
+                                                    {"picture", "--help"}}) {
+    const CommandResult result = run_quarry(arguments);
+    EXPECT_EQ(result.exit_code, 0) << arguments[0];
+    EXPECT_NE(result.out, "") << arguments[0];
+    EXPECT_EQ(result.err, "") << arguments[0];
+  }
+}
+
+TEST(CommandLine, MistakesAreToldInOneLine) {
+  expect_usage_error({}, "--help");
+  expect_usage_error({"melt", "a.geojson"}, "melt");
+  expect_usage_error({"--frobnicate"}, "--frobnicate");
+  expect_usage_error({"mesh", "-o", "out.vtu", "--size", "5"}, "input");
+  expect_usage_error({"mesh", kDemoSection, "--size", "5"}, "output");
+  expect_usage_error({"mesh", kDemoSection, "-o", "out.vtu", "--sise", "5"}, "--sise");
+  expect_usage_error({"mesh", kDemoSection, "-o", "out.vtu", "--size"}, "--size");
+  expect_usage_error({"mesh", kDemoSection, "-o", "out.vtu", "--size", "5", "--threads", "-1"}, "--threads");
+  expect_usage_error({"mesh", kDemoSection, "-o", "out.vtu", "--size", "5", "--elements", "hex"}, "hex");
+  expect_usage_error({"mesh", kDemoSection, "-o", "out.vtu", "--size", "5", "--orient", "north"}, "north");
+  expect_usage_error({"mesh", kDemoSection, "-o", "out.vtu", "--size", "5", "--max-elements", "0"},
+                     "--max-elements");
+  expect_usage_error({"clean", kDemoSection, "-o", "out.geojson"}, "--snap");
+}
+
+TEST(CommandLine, UnknownOutputExtensionsAreToldBeforeTheWork) {
+  expect_usage_error({"mesh", kDemoSection, "-o", "out.xyz", "--size", "5"}, "out.xyz");
+  expect_usage_error({"mesh", kDemoSection, "-o", "out", "--size", "5"}, "out");
+  expect_usage_error({"clean", kDemoSection, "-o", "out.vtu", "--size", "5"}, "out.vtu");
+  expect_usage_error({"convert", "in.vtu", "out.xyz"}, "out.xyz");
+}
+
+TEST(CommandLine, WhatIsNotBuiltSaysSo) {
+  const std::vector<std::vector<std::string>> values = {
+      {"--method", "front"}, {"--method", "blocks"},  {"--quads", "matching"},   {"--cleanup", "local"},
+      {"--cleanup", "full"}, {"--elements", "mixed"}, {"--size-field", "s.tif"}, {"--keep-boundary"},
+  };
+  for (const std::vector<std::string>& value : values) {
+    std::vector<std::string> arguments = {"mesh", kDemoSection, "-o", "out.vtu", "--size", "20"};
+    arguments.insert(arguments.end(), value.begin(), value.end());
+    expect_usage_error(arguments, "not built yet");
+  }
+  for (const char* command : {"generate", "batch", "improve", "adapt"}) {
+    expect_usage_error({command}, "not built yet");
+    expect_usage_error({command, "some", "--option", "3"}, "not built yet");
+  }
+}
+
+TEST(ConfigFile, GivesWhatTheCommandLineDoesNot) {
+  const TestFolder folder;
+  const std::string config = folder.write("job.toml",
+                                          "size = 20\nelements = \"tri\"\nseed = 7\nquiet = true\n"
+                                          "inputs = [\"" +
+                                              std::string(kDemoSection) + "\"]\n");
+  const CommandResult result = run_quarry(
+      {"mesh", "-o", folder / "out.vtu", "--config", config, "--seed", "3", "--report", folder / "r.json"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(result.err, "");
+  const nlohmann::json options = options_of(folder / "r.json");
+  EXPECT_EQ(options["size"], 20.0);
+  EXPECT_EQ(options["elements"], "tri");
+  EXPECT_EQ(options["seed"], 3) << "the command line wins";
+}
+
+TEST(ConfigFile, MakesTheSameMeshAsTheCommandLine) {
+  const TestFolder folder;
+  const std::string config = folder.write("job.toml", "size = 20.5\nsnap = 0.75\nboundary = \"box\"\n");
+  ASSERT_EQ(run_quarry({"mesh", kDemoSection, "-o", folder / "a.vtu", "--config", config}).exit_code, 0);
+  ASSERT_EQ(run_quarry({"mesh", kDemoSection, "-o", folder / "b.vtu", "--size", "20.5", "--snap", "0.75",
+                        "--boundary", "box"})
+                .exit_code,
+            0);
+  EXPECT_EQ(read_text(folder / "a.vtu"), read_text(folder / "b.vtu"));
+}
+
+TEST(ConfigFile, NamesWhatItCannotUse) {
+  const TestFolder folder;
+  const auto expect_refused = [&](const std::string& text, const std::string& word) {
+    const std::string config = folder.write("job.toml", text);
+    expect_usage_error({"mesh", kDemoSection, "-o", folder / "out.vtu", "--config", config}, word);
+  };
+  expect_refused("size = 20\nsise = 3\n", "sise");
+  expect_refused("size = \"wide\"\n", "size");
+  expect_refused("size = 2020-01-01\n", "size");
+  expect_refused("config = \"other.toml\"\n", "config");
+  const CommandResult broken = run_quarry({"mesh", kDemoSection, "-o", folder / "out.vtu", "--config",
+                                           folder.write("broken.toml", "size = = 3\n")});
+  EXPECT_EQ(broken.exit_code, 3);
+  EXPECT_EQ(broken.error_lines(), 1U) << broken.err;
+  EXPECT_EQ(run_quarry({"mesh", kDemoSection, "-o", folder / "out.vtu", "--config", folder / "none.toml"})
+                .exit_code,
+            3);
+}
+
+TEST(Demands, AMeshThatFailsOneIsNotWritten) {
+  const TestFolder folder;
+  const std::string output = folder.write("out.vtu", "what was there before");
+  const CommandResult result =
+      run_quarry({"mesh", kDemoSection, "-o", output, "--size", "20", "--quiet", "--require",
+                  "mean-sj=0.1,min-sj=0.999", "--report", folder / "r.json"});
+  EXPECT_EQ(result.exit_code, 6);
+  EXPECT_EQ(result.error_lines(), 1U) << result.err;
+  EXPECT_NE(result.err.find("min-sj=0.999"), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find(" at ("), std::string::npos) << "the worst place is told: " << result.err;
+  EXPECT_EQ(read_text(output), "what was there before");
+  EXPECT_TRUE(nlohmann::json::parse(read_text(folder / "r.json")).contains("quality"));
+}
+
+TEST(Demands, ThatAreMetChangeNothing) {
+  const TestFolder folder;
+  const CommandResult result =
+      run_quarry({"mesh", kDemoSection, "-o", folder / "out.vtu", "--size", "20", "--require", "irregular=60",
+                  "--require", "mean-sj=0.2,aspect=1e6"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+}
+
+TEST(Demands, UnknownFiguresAreToldBeforeTheWork) {
+  expect_usage_error({"mesh", kDemoSection, "-o", "out.vtu", "--size", "20", "--require", "beauty=3"},
+                     "beauty");
+  expect_usage_error({"mesh", kDemoSection, "-o", "out.vtu", "--size", "20", "--require", "min-sj"},
+                     "min-sj");
+  expect_usage_error({"mesh", kDemoSection, "-o", "out.vtu", "--size", "20", "--require", "min-sj=x"},
+                     "min-sj=x");
+}
+
+TEST(Report, HoldsTheResolvedOptions) {
+  const TestFolder folder;
+  ASSERT_EQ(run_quarry({"mesh", kDemoSection, "-o", folder / "out.vtu", "--count", "1000", "--report",
+                        folder / "r.json"})
+                .exit_code,
+            0);
+  const nlohmann::json options = options_of(folder / "r.json");
+  const double size = options["size"];
+  EXPECT_GT(size, 10);
+  EXPECT_LT(size, 30);
+  EXPECT_DOUBLE_EQ(options["snap"].get<double>(), 0.05 * size);
+  EXPECT_DOUBLE_EQ(options["min-edge"].get<double>(), 0.1 * size);
+  EXPECT_DOUBLE_EQ(options["tolerance"].get<double>(), 0.05 * size);
+  EXPECT_EQ(options["method"], "deferred");
+}
+
+TEST(Streams, StdoutCarriesOnlyWhatWasAskedFor) {
+  const TestFolder folder;
+  const CommandResult mesh = run_quarry({"mesh", kDemoSection, "-o", folder / "out.vtu", "--size", "20"});
+  EXPECT_EQ(mesh.out, "");
+  EXPECT_NE(mesh.err.find("quads"), std::string::npos);
+  EXPECT_EQ(mesh.err.find('\r'), std::string::npos) << "a progress bar is for terminals";
+  const CommandResult quality = run_quarry({"quality", folder / "out.vtu", "--json"});
+  EXPECT_EQ(quality.exit_code, 0);
+  EXPECT_EQ(quality.err, "");
+  EXPECT_GT(nlohmann::json::parse(quality.out)["quads"], 0);
+  EXPECT_EQ(run_quarry({"mesh", kDemoSection, "-o", folder / "q.vtu", "--size", "20", "--quiet"}).err, "");
+}
+
+}  // namespace
+}  // namespace quarry

@@ -1,0 +1,118 @@
+// Output files appear whole or not at all, and are looked at before the work starts.
+#include <csignal>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/pipeline/cli/command_run.hpp"
+
+namespace quarry {
+namespace {
+
+void expect_failure(const std::vector<std::string>& arguments, int code, const std::string& word) {
+  const CommandResult result = run_quarry(arguments);
+  EXPECT_EQ(result.exit_code, code) << result.err;
+  EXPECT_EQ(result.error_lines(), 1U) << result.err;
+  EXPECT_NE(result.err.find(word), std::string::npos) << word << " in " << result.err;
+}
+
+nlohmann::json quality_of(const std::string& mesh) {
+  return nlohmann::json::parse(run_quarry({"quality", mesh, "--json"}).out);
+}
+
+TEST(Outputs, ThatCannotBeWrittenAreToldBeforeTheWork) {
+  const TestFolder folder;
+  const std::string lost = folder / "no/such/folder/out";
+  // The input is broken as well: that the output is told shows that it was looked at first.
+  const std::string broken = folder.write("broken.geojson", "{");
+  expect_failure({"mesh", broken, "-o", lost + ".vtu", "--size", "5"}, 7, "out.vtu");
+  expect_failure({"mesh", broken, "-o", folder / "out.vtu", "--report", lost + ".json", "--size", "5"}, 7,
+                 "out.json");
+  expect_failure({"clean", broken, "-o", lost + ".geojson", "--size", "5"}, 7, "out.geojson");
+  EXPECT_EQ(folder.names(), std::vector<std::string>{"broken.geojson"});
+}
+
+TEST(Outputs, AFolderIsNoOutput) {
+  const TestFolder folder;
+  std::filesystem::create_directory(folder / "folder.vtu");
+  expect_failure({"mesh", kDemoSection, "-o", folder / "folder.vtu", "--size", "20"}, 7, "folder.vtu");
+}
+
+TEST(Outputs, AnInputIsNoOutput) {
+  const TestFolder folder;
+  const std::string input = folder.write("lines.geojson", read_text(kDemoSection));
+  expect_failure({"clean", input, "-o", input, "--size", "20"}, 2, "lines.geojson");
+  expect_failure({"mesh", input, "-o", folder / "out.vtu", "--report", input, "--size", "20"}, 2,
+                 "lines.geojson");
+  EXPECT_EQ(read_text(input), read_text(kDemoSection));
+}
+
+TEST(Outputs, TwoOutputsNeedTwoNames) {
+  const TestFolder folder;
+  expect_failure({"mesh", kDemoSection, "-o", folder / "a.vtu", "--report", folder / "a.vtu", "--size", "20"},
+                 2, "a.vtu");
+  EXPECT_TRUE(folder.names().empty());
+}
+
+TEST(Outputs, EveryFormatIsWrittenAndReadAgain) {
+  const TestFolder folder;
+  for (const std::string name : {"out.vtu", "out.msh", "out.obj"}) {
+    ASSERT_EQ(run_quarry({"mesh", kDemoSection, "-o", folder / name, "--size", "20"}).exit_code, 0) << name;
+    EXPECT_EQ(run_quarry({"quality", folder / name}).exit_code, 0) << name;
+  }
+  EXPECT_EQ(folder.names(), (std::vector<std::string>{"out.msh", "out.obj", "out.vtu"}));
+  ASSERT_EQ(run_quarry({"convert", folder / "out.msh", folder / "again.vtu"}).exit_code, 0);
+  // Faces come in another order, by group, so that sums differ in their last digits.
+  const nlohmann::json before = quality_of(folder / "out.vtu");
+  const nlohmann::json after = quality_of(folder / "again.vtu");
+  for (const char* key : {"quads", "vertices", "boundary_length", "shortest_edge", "valence"})
+    EXPECT_EQ(after[key], before[key]) << key;
+}
+
+TEST(Outputs, CompressionKeepsTheMesh) {
+  const TestFolder folder;
+  ASSERT_EQ(run_quarry({"mesh", kDemoSection, "-o", folder / "raw.vtu", "--size", "10"}).exit_code, 0);
+  ASSERT_EQ(
+      run_quarry({"mesh", kDemoSection, "-o", folder / "zip.vtu", "--size", "10", "--compress"}).exit_code,
+      0);
+  EXPECT_LT(std::filesystem::file_size(folder / "zip.vtu"), std::filesystem::file_size(folder / "raw.vtu"));
+  EXPECT_EQ(run_quarry({"quality", folder / "zip.vtu", "--json"}).out,
+            run_quarry({"quality", folder / "raw.vtu", "--json"}).out);
+}
+
+TEST(Outputs, ABrokenMeshIsToldWithItsFile) {
+  const TestFolder folder;
+  expect_failure({"quality", folder.write("broken.vtu", "<VTKFile>")}, 3, "broken.vtu");
+  expect_failure({"quality", folder / "none.msh"}, 3, "none.msh");
+  expect_failure({"convert", folder.write("broken.obj", "f 1 2 9\n"), folder / "out.vtu"}, 3, "broken.obj");
+}
+
+// Signals arrive while the job works: after it has told what is to be expected.
+class Interrupt : public testing::TestWithParam<int> {};
+
+TEST_P(Interrupt, EndsTheJobAndLeavesNothing) {
+  const TestFolder folder;
+  const std::string output = folder.write("out.vtu", "what was there before");
+  CommandOptions options;
+  options.signal = [](const std::string& err) {
+    return err.find("to be expected") == std::string::npos ? 0 : GetParam();
+  };
+  const CommandResult result = run_quarry(
+      {"mesh", kDemoSection, "-o", output, "--size", "0.4", "--report", folder / "r.json"}, options);
+  EXPECT_EQ(result.exit_code, 130) << result.err;
+  EXPECT_NE(result.err.find("interrupted"), std::string::npos) << result.err;
+  EXPECT_EQ(result.error_lines(), 2U) << result.err;
+  EXPECT_EQ(read_text(output), "what was there before");
+  EXPECT_EQ(folder.names(), std::vector<std::string>{"out.vtu"});
+}
+
+INSTANTIATE_TEST_SUITE_P(Signals, Interrupt, testing::Values(SIGINT, SIGTERM),
+                         [](const testing::TestParamInfo<int>& signal) {
+                           return signal.param == SIGINT ? "SIGINT" : "SIGTERM";
+                         });
+
+}  // namespace
+}  // namespace quarry
