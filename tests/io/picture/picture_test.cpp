@@ -3,10 +3,10 @@
 #include <cmath>
 #include <vector>
 
-#include <cairo.h>
 #include <gtest/gtest.h>
 
 #include "engine/base/error.hpp"
+#include "io/picture/canvas.hpp"
 #include "io/picture/colour.hpp"
 #include "tests/io/mesh/sample_mesh.hpp"
 #include "tests/io/mesh/temporary_folder.hpp"
