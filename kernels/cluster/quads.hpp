@@ -1,7 +1,9 @@
-// From a triangle mesh with constraints to a smoothed quad mesh: pair, recut and smooth the coarse mixed mesh, halve
-// every edge, smooth and optimise. The steps have headers of their own; this is their order and their defaults.
+// From a triangle mesh with constraints to a smoothed quad mesh: pair, recut and smooth the coarse mixed
+// mesh, halve every edge, smooth and optimise. The steps have headers of their own; this is their order and
+// their defaults.
 //   L. Velho, J. Gomes: Variable resolution 4-k meshes. CGF 19, 2000 (clusters).
-//   C. Araujo, W. Celes: Quadrilateral mesh generation with deferred constraint insertion. IMR 23, 2014, section 3.3.
+//   C. Araujo, W. Celes: Quadrilateral mesh generation with deferred constraint insertion. IMR 23, 2014,
+//   section 3.3.
 #pragma once
 
 #include <vector>

@@ -10,8 +10,9 @@ class LaplacianMover {
  public:
   LaplacianMover(const Slide& slide, double tolerance) : slide_(slide), tolerance_(tolerance) {}
 
+  [[nodiscard]] bool may_move(VertexId v) const { return slide_.movable(v); }
+
   bool wants(const Mesh& mesh, VertexId v) {
-    if (!slide_.movable(v)) return false;
     Vec2 sum;
     double count = 0;
     double shortest = std::numeric_limits<double>::infinity();
@@ -35,11 +36,14 @@ class LaplacianMover {
 
   bool move(Mesh& mesh, VertexId v) {
     star_.gather(mesh, v);
+    Vec2 target = slide_.allowed(v, star_.place() + star_.umbrella());
+    if (!far_enough(target - star_.place(), star_.shortest_squared())) return false;
+    star_.weigh();
     // Where the worst face cannot be helped, as in an acute wedge between lines, it must not licence others
     // to sink.
     const double bar = std::max(star_.worst(), kFloor);
     for (const double step : {1.0, 0.5, 0.25}) {
-      const Vec2 target = slide_.allowed(v, star_.place() + step * star_.umbrella());
+      if (step < 1) target = slide_.allowed(v, star_.place() + step * star_.umbrella());
       const Vec2 offset = target - star_.place();
       if (!far_enough(offset, star_.shortest_squared())) return false;
       if (!star_.keeps_faces(offset, bar) || !star_.valid_at(target)) continue;
@@ -47,17 +51,6 @@ class LaplacianMover {
       return true;
     }
     return false;
-  }
-
-  void wake(const Mesh& mesh, VertexId v, WakeList& list) {
-    const auto wake_movable = [&](VertexId other) {
-      if (slide_.movable(other)) list.wake(other);
-    };
-    wake_movable(v);
-    for_each_side_around(mesh, v, [&](SideId s) {
-      wake_movable(mesh.target(s));
-      wake_movable(mesh.origin(mesh.previous(s)));
-    });
   }
 
  private:

@@ -16,14 +16,17 @@ class CornerMover {
   CornerMover(const Slide& slide, const OptimiseOptions& options)
       : slide_(slide), floor_(options.target * options.target), smallest_step_(options.smallest_step) {}
 
+  [[nodiscard]] bool may_move(VertexId v) const { return slide_.movable(v); }
+
   bool wants(const Mesh& mesh, VertexId v) {
-    if (!slide_.movable(v)) return false;
     star_.gather(mesh, v);
+    star_.weigh();
     return star_.worst() < floor_;
   }
 
   bool move(Mesh& mesh, VertexId v) {
     star_.gather(mesh, v);
+    star_.weigh();
     if (star_.worst() >= floor_) return false;
     best_ = star_.badness_at({});
     const double before = best_;
@@ -38,8 +41,6 @@ class CornerMover {
     mesh.set_point(v, best_place_);
     return true;
   }
-
-  void wake(const Mesh& mesh, VertexId v, WakeList& list) { wake_star(mesh, slide_, v, list); }
 
  private:
   static constexpr double kFirstStep = 0.3;

@@ -19,12 +19,4 @@ Vec2 Slide::direction(VertexId v) const {
   return (1.0 / length(along)) * along;
 }
 
-void wake_star(const Mesh& mesh, const Slide& slide, VertexId v, WakeList& list) {
-  if (slide.movable(v)) list.wake(v);
-  for_each_side_around(mesh, v, [&](SideId side) {
-    for (SideId s = mesh.next(side); s != side; s = mesh.next(s))
-      if (slide.movable(mesh.origin(s))) list.wake(mesh.origin(s));
-  });
-}
-
 }  // namespace quarry

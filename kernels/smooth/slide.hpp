@@ -2,7 +2,6 @@
 #pragma once
 
 #include "engine/mesh/constraint.hpp"
-#include "kernels/smooth/sweep.hpp"
 
 namespace quarry {
 
@@ -30,8 +29,5 @@ class Slide {
   ConstraintTags tags_;
   const NodedLines* lines_;
 };
-
-// Wakes v and all that share a face with it, as far as they may move: those whose stars a move of v changes.
-void wake_star(const Mesh& mesh, const Slide& slide, VertexId v, WakeList& list);
 
 }  // namespace quarry

@@ -45,9 +45,11 @@ class SquaringMover {
         content_(options.content * options.content),
         floor_(options.floor * options.floor) {}
 
+  [[nodiscard]] bool may_move(VertexId v) const { return slide_.movable(v); }
+
   bool wants(const Mesh& mesh, VertexId v) {
-    if (!slide_.movable(v)) return false;
     star_.gather(mesh, v);
+    star_.weigh();
     return star_.worst() < content_;
   }
 
@@ -64,6 +66,7 @@ class SquaringMover {
       const Vec2 offset = target - star_.place();
       if (!(squared_length(offset) > options_.tolerance * options_.tolerance * star_.shortest_squared()))
         return false;
+      if (attempt == 0) star_.weigh();
       if (!star_.keeps_faces(offset, floor_) || !(value_at(offset) < here.value) || !star_.valid_at(target))
         continue;
       mesh.set_point(v, target);
@@ -71,8 +74,6 @@ class SquaringMover {
     }
     return false;
   }
-
-  void wake(const Mesh& mesh, VertexId v, WakeList& list) { wake_star(mesh, slide_, v, list); }
 
  private:
   [[nodiscard]] double spring_weight() const {

@@ -12,7 +12,7 @@ struct SquareCornersOptions {
   // left alone at first.
   double content = 0.98;
   // Faces may lose quality for others' sake down to this measure, and never below.
-  double floor = 0.7;
+  double floor = 0.6;
   // The pull towards the mean of the neighbours, which keeps sizes even, against that of the corners.
   double spring = 0.2;
   // A vertex that would move by less than this share of its shortest edge stays where it is.

@@ -60,38 +60,30 @@ void Star::gather(const Mesh& mesh, VertexId v) {
   umbrella_ = {};
   shortest_squared_ = std::numeric_limits<double>::infinity();
   mean_squared_ = 0;
-  worst_ = 1;
   faces_.clear();
-  corners_.clear();
   double joined = 0;
   const auto join = [&](Vec2 edge) {
+    const double squared = squared_length(edge);
     umbrella_ = umbrella_ + edge;
     joined += 1;
-    mean_squared_ += squared_length(edge);
-    shortest_squared_ = std::min(shortest_squared_, squared_length(edge));
+    mean_squared_ += squared;
+    shortest_squared_ = std::min(shortest_squared_, squared);
   };
   const SideId first = mesh.side_of(v);
   for (SideId s = first; s.valid();) {
     const SideId forward = mesh.next(s);
     const SideId back = mesh.previous(s);
-    const Vec2 next = mesh.point(mesh.origin(forward));
-    const Vec2 previous = mesh.point(mesh.origin(back));
-    StarFace face;
+    StarFace& face = faces_.emplace_back();
     face.quad = mesh.corner_count(s.face()) == 4;
-    const Vec2 opposite = face.quad ? mesh.point(mesh.target(forward)) : previous;
-    face.next = next - place_;
-    face.previous = previous - place_;
-    face.far_next = opposite - next;
-    face.far_previous = face.quad ? previous - opposite : face.far_next;
+    face.at_next = mesh.point(mesh.origin(forward));
+    face.at_previous = mesh.point(mesh.origin(back));
+    face.at_opposite = face.quad ? mesh.point(mesh.target(forward)) : face.at_previous;
+    face.next = face.at_next - place_;
+    face.previous = face.at_previous - place_;
+    face.far_next = face.at_opposite - face.at_next;
+    face.far_previous = face.quad ? face.at_previous - face.at_opposite : face.far_next;
     face.far_next_squared = squared_length(face.far_next);
     face.far_previous_squared = squared_length(face.far_previous);
-    face.far_corner = face.quad ? signed_square(cross(face.far_next, face.far_previous),
-                                                face.far_next_squared * face.far_previous_squared)
-                                : 1.0;
-    face.measure = measure(face, {});
-    worst_ = std::min(worst_, face.measure);
-    faces_.push_back(face);
-    corners_.insert(corners_.end(), {next, opposite, previous});
     join(face.next);
     s = mesh.neighbour(back);
     if (!s.valid()) join(face.previous);
@@ -99,6 +91,17 @@ void Star::gather(const Mesh& mesh, VertexId v) {
   }
   umbrella_ = (1.0 / joined) * umbrella_;
   mean_squared_ /= joined;
+}
+
+void Star::weigh() {
+  worst_ = 1;
+  for (StarFace& face : faces_) {
+    face.far_corner = face.quad ? signed_square(cross(face.far_next, face.far_previous),
+                                                face.far_next_squared * face.far_previous_squared)
+                                : 1.0;
+    face.measure = measure(face, {});
+    worst_ = std::min(worst_, face.measure);
+  }
 }
 
 double Star::badness_at(Vec2 offset) const {
@@ -118,12 +121,10 @@ bool Star::keeps_faces(Vec2 offset, double bar) const {
 }
 
 bool Star::valid_at(Vec2 p) const {
-  for (std::size_t i = 0; i < faces_.size(); ++i) {
-    const Vec2 next = corners_[3 * i];
-    const Vec2 opposite = corners_[3 * i + 1];
-    const Vec2 previous = corners_[3 * i + 2];
-    if (!(orient2d(previous, p, next) > 0)) return false;
-    if (faces_[i].quad && !(orient2d(p, next, opposite) > 0 && orient2d(opposite, previous, p) > 0))
+  for (const StarFace& face : faces_) {
+    if (!(orient2d(face.at_previous, p, face.at_next) > 0)) return false;
+    if (face.quad && !(orient2d(p, face.at_next, face.at_opposite) > 0 &&
+                       orient2d(face.at_opposite, face.at_previous, p) > 0))
       return false;
   }
   return true;

@@ -17,9 +17,12 @@ struct StarFace {
       far_previous;  // of a quad: the edges from `next` to the opposite corner and from there to `previous`
   double far_next_squared,
       far_previous_squared;  // their squared lengths; of a triangle both that of its far edge
-  double far_corner;         // sin |sin| between the far edges; 1 for a triangle
-  double measure;            // of the face as gathered
   bool quad;
+  // Set by weigh(): sin |sin| between the far edges (1 for a triangle), and the measure of the face as
+  // gathered.
+  double far_corner, measure;
+  // The corners as stored in the mesh.
+  Vec2 at_next, at_opposite, at_previous;
 };
 
 // How good a face is, for comparison only: no square roots, signs kept.
@@ -33,6 +36,8 @@ class Star {
  public:
   // Reads the faces around v. Keeps its memory from one star to the next.
   void gather(const Mesh& mesh, VertexId v);
+  // Measures the faces as they are: needed before all functions that judge a move.
+  void weigh();
 
   [[nodiscard]] std::span<const StarFace> faces() const { return faces_; }
   [[nodiscard]] Vec2 place() const { return place_; }
@@ -62,7 +67,6 @@ class Star {
   double mean_squared_ = 0;
   double worst_ = 1;
   std::vector<StarFace> faces_;
-  std::vector<Vec2> corners_;  // of each face: next, opposite, previous, as stored in the mesh
 };
 
 }  // namespace quarry

@@ -23,39 +23,53 @@ struct SweepReport {
 // Who is to be visited next: a byte a vertex, set by many threads at once.
 class WakeList {
  public:
-  explicit WakeList(std::size_t vertices) : awake_(vertices, 0) {}
+  // Vertices that may_move(VertexId) refuses sleep for ever.
+  template <class MayMove>
+  WakeList(std::size_t vertices, const MayMove& may_move) : state_(vertices) {
+    parallel::for_each(vertices,
+                       [&](std::size_t i) { state_[i] = may_move(VertexId(i)) ? kAsleep : kFrozen; });
+  }
 
+  [[nodiscard]] bool frozen(VertexId v) const { return state_[v.value()] == kFrozen; }
   void wake(VertexId v) {
-    std::atomic_ref<std::uint8_t>(awake_[v.value()]).store(1, std::memory_order_relaxed);
+    std::atomic_ref<std::uint8_t> state(state_[v.value()]);
+    if (state.load(std::memory_order_relaxed) == kAsleep) state.store(kAwake, std::memory_order_relaxed);
+  }
+  // Wakes v and all that share a face with it: those whose stars a move of v changes.
+  void wake_star(const Mesh& mesh, VertexId v) {
+    wake(v);
+    for_each_side_around(mesh, v, [&](SideId side) {
+      for (SideId s = mesh.next(side); s != side; s = mesh.next(s)) wake(mesh.origin(s));
+    });
   }
   // The vertices awake, ascending; all sleep afterwards.
   std::vector<std::uint32_t> take() {
     std::vector<std::uint32_t> list =
-        parallel::filter_indices(awake_.size(), [&](std::size_t i) { return awake_[i] != 0; });
-    parallel::for_each(list.size(), [&](std::size_t i) { awake_[list[i]] = 0; });
+        parallel::filter_indices(state_.size(), [&](std::size_t i) { return state_[i] == kAwake; });
+    parallel::for_each(list.size(), [&](std::size_t i) { state_[list[i]] = kAsleep; });
     return list;
   }
 
  private:
-  std::vector<std::uint8_t> awake_;
+  static constexpr std::uint8_t kAsleep = 0, kAwake = 1, kFrozen = 2;
+  std::vector<std::uint8_t> state_;
 };
 
 // A mover is copied for each chunk, so that it may own scratch memory, and has
-//   bool wants(const Mesh&, VertexId);                // first look at every vertex: is it worth a visit?
-//   bool move(Mesh&, VertexId);                       // true if the vertex moved; reads its star, writes
-//   itself void wake(const Mesh&, VertexId, WakeList&);      // after a move: who should be visited in the
-//   next sweep
+//   bool may_move(VertexId) const;
+//   bool wants(const Mesh&, VertexId);      // first look at a vertex that may move: is it worth a visit?
+//   bool move(Mesh&, VertexId);             // true if the vertex moved; reads its star, writes itself
 inline constexpr std::size_t kSweepChunk = 256;
 
 template <class Mover>
 SweepReport run_sweeps(Mesh& mesh, VertexColouring& colouring, const Mover& mover, int sweeps,
                        const Progress& progress) {
   SweepReport report;
-  WakeList list(mesh.vertex_slots());
+  WakeList list(mesh.vertex_slots(), [&](VertexId v) { return mover.may_move(v); });
   parallel::for_each_chunk(mesh.vertex_slots(), 4 * kSweepChunk, [&](std::size_t begin, std::size_t end) {
     Mover own = mover;
     for (std::size_t i = begin; i < end; ++i)
-      if (own.wants(std::as_const(mesh), VertexId(i))) list.wake(VertexId(i));
+      if (!list.frozen(VertexId(i)) && own.wants(std::as_const(mesh), VertexId(i))) list.wake(VertexId(i));
   });
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     progress.throw_if_cancelled();
@@ -74,7 +88,7 @@ SweepReport run_sweeps(Mesh& mesh, VertexColouring& colouring, const Mover& move
               const VertexId v(members[i]);
               if (!own.move(mesh, v)) continue;
               ++moved;
-              own.wake(std::as_const(mesh), v, list);
+              list.wake_star(mesh, v);
             }
             return moved;
           },

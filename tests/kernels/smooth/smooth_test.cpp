@@ -44,6 +44,7 @@ double worst_measure(const Mesh& mesh) {
   Star star;
   for (const VertexId v : mesh.vertices()) {
     star.gather(mesh, v);
+    star.weigh();
     worst = std::min(worst, star.worst());
   }
   return worst;
@@ -143,10 +144,12 @@ TEST(Smoothing, NeverLowersTheWorstFaceOfAnyStarByOneMove) {
       for (Support& other : tags.support.values()) other = Support::fixed();
       tags.support[v] = support[v.value()];
       star.gather(quads.mesh, v);
+      star.weigh();
       const double before = star.worst();
       smooth_laplacian(quads.mesh, quads.lines, {.sweeps = 1}, Progress());
       optimise_corners(quads.mesh, quads.lines, {.sweeps = 1, .target = 1}, Progress());
       star.gather(quads.mesh, v);
+      star.weigh();
       EXPECT_GE(star.worst(), before);
     }
   }
@@ -189,6 +192,7 @@ TEST(Star, CountsAShrunkenEdgeAgainstAQuadOfRightAngles) {
   const Mesh mesh = build_mesh({0, 8, 8, 0}, {0, 0, 1, 1}, faces);
   Star star;
   star.gather(mesh, VertexId(0U));
+  star.weigh();
   EXPECT_DOUBLE_EQ(star.worst(), 0.25);
 }
 
