@@ -1,5 +1,9 @@
 #include "pipeline/section/section.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <map>
+
 #include <fmt/format.h>
 
 #include "engine/base/error.hpp"
@@ -9,6 +13,7 @@
 #include "io/lines/line_reader.hpp"
 #include "kernels/cluster/merge.hpp"
 #include "kernels/deferred/deferred.hpp"
+#include "kernels/local/better_flips.hpp"
 #include "kernels/smooth/laplacian.hpp"
 #include "kernels/smooth/optimise.hpp"
 #include "pipeline/section/start.hpp"
@@ -30,14 +35,23 @@ Box2 box_of(const Outline& outline) {
   return box;
 }
 
+// Of the polygons; those that overlap count twice, which is good enough to foresee a size.
 double area_of(const Outline& outline) {
-  double area = 0;
+  struct Areas {
+    double largest = 0, sum = 0;
+  };
+  std::map<std::uint32_t, Areas> polygons;
   for (const OutlineRing& ring : outline.rings) {
     double doubled = 0;
     for (std::size_t i = 0; i + 1 < ring.points.size(); ++i)
       doubled += cross(ring.points[i] - ring.points[0], ring.points[i + 1] - ring.points[0]);
-    area = std::max(area, 0.5 * std::abs(doubled));
+    Areas& areas = polygons[ring.polygon];
+    areas.largest = std::max(areas.largest, 0.5 * std::abs(doubled));
+    areas.sum += 0.5 * std::abs(doubled);
   }
+  // All rings of a polygon but the largest are its holes.
+  double area = 0;
+  for (const auto& [polygon, areas] : polygons) area += std::max(0.0, 2 * areas.largest - areas.sum);
   return area;
 }
 
@@ -100,8 +114,11 @@ void read_and_clean(const SectionOptions& options, SectionResult& result, StageC
 
 void tell_prediction(const SectionOptions& options, const SectionResult& result) {
   if (!options.on_prediction) return;
-  const double elements = predict_elements(options, box_of(result.outline), result.lengths.size);
-  options.on_prediction(elements, predict_bytes(elements));
+  // The start mesh covers the whole box, and its memory is needed; elements remain in the domain alone.
+  const Box2 box = box_of(result.outline);
+  const double in_box = predict_elements(options, box, result.lengths.size);
+  const double share = std::min(1.0, area_of(result.outline) / (box.width() * box.height()));
+  options.on_prediction(share * in_box, predict_bytes(in_box));
 }
 
 }  // namespace
@@ -133,6 +150,7 @@ SectionResult mesh_section(const SectionOptions& options, const Progress& progre
     convert_to_quads(options, result, clock, progress);
   } else {
     clock.start("smoothing");
+    flip_to_better(result.mesh, progress);
     result.laplacian = smooth_laplacian(result.mesh, result.cleaned.lines, LaplacianOptions(), progress);
   }
   clock.start("finishing");
