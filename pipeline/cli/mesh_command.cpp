@@ -35,7 +35,7 @@ void check(MeshArguments& arguments) {
   check_mesh_extension(arguments.output);
   if (!arguments.picture.empty()) check_picture_extension(arguments.picture);
   std::vector<std::string> inputs = arguments.section.inputs;
-  inputs.push_back(arguments.section.boundary);
+  inputs.insert(inputs.end(), {arguments.section.boundary, arguments.section.start_file});
   check_outputs({arguments.output, arguments.report, arguments.picture}, inputs);
 }
 
@@ -73,6 +73,11 @@ void write_job_report(const MeshArguments& arguments, const SectionResult& resul
   write_report(arguments.report, report);
 }
 
+// Measuring takes a few per cent of a job.
+bool someone_asks_for_quality(const MeshArguments& arguments) {
+  return !arguments.common.quiet || !arguments.report.empty() || !arguments.require.empty();
+}
+
 void run(MeshArguments& arguments) {
   check(arguments);
   const std::vector<Demand> demands = parse_demands(arguments.require);
@@ -87,7 +92,8 @@ void run(MeshArguments& arguments) {
   SectionResult result = mesh_section(arguments.section, progress);
   StageClock clock(progress);
   clock.start("measuring");
-  const QualitySummary quality = summarize_quality(result.mesh);
+  QualitySummary quality;
+  if (someone_asks_for_quality(arguments)) quality = summarize_quality(result.mesh);
   clock.start("writing");
   try {
     require_demands(demands, result.mesh, quality);

@@ -132,6 +132,10 @@ TEST_F(BadInput, ABoundaryFileThatIsNotThereIsTold) {
   expect_refused(3, {kDemoSection, "--size", "20", "--boundary", folder_ / "none.geojson"}, {"none.geojson"});
 }
 
+TEST_F(BadInput, AStartMeshThatCannotBeReadIsTold) {
+  expect_refused(3, {kDemoSection, "--size", "20", "--start", folder_ / "none.msh", "--quiet"}, {"none.msh"});
+}
+
 TEST_F(BadInput, ASizeOfZeroIsTold) { expect_refused(2, {kDemoSection, "--size", "0"}, {"--size"}); }
 
 TEST_F(BadInput, ANegativeSizeIsTold) { expect_refused(2, {kDemoSection, "--size", "-5"}, {"--size"}); }

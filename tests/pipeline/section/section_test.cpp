@@ -89,6 +89,12 @@ TEST(SectionThreads, ThePublishedProcedureHasTheSameBytesOnAnyNumber) {
   expect_same_bytes(options);
 }
 
+TEST(SectionThreads, ADelaunayStartHasTheSameBytesOnAnyNumber) {
+  SectionOptions options = options_for("tests/data/demo_section.geojson", 15);
+  options.start = StartMesh::kDelaunay;
+  expect_same_bytes(options);
+}
+
 // The promises that can be checked from the result alone; validity on the doubles is checked with exact
 // predicates.
 void expect_promises(const SectionResult& result, double area) {
