@@ -126,6 +126,34 @@ TEST(DelaunayTriangulation, CoversTheConvexHullAndCountsAsEulerSays) {
   }
 }
 
+// Points of a small grid, drawn at random: nothing but ties.
+TEST(DelaunayTriangulation, HoldsForThousandsOfSubsetsOfSmallGrids) {
+  for (std::uint64_t seed = 1; seed <= 3000; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const int columns = 2 + static_cast<int>(seed % 6);
+    const int rows = 2 + static_cast<int>(seed / 6 % 5);
+    std::vector<Vec2> points;
+    for (const Vec2 p : square_lattice(columns, rows, {-2, 7}, 1))
+      if (uniform01(seed, points.size() + static_cast<std::uint64_t>(p.x * 64 + p.y)) < 0.6)
+        points.push_back(p);
+    const bool on_a_line = std::all_of(points.begin(), points.end(), [&](Vec2 p) {
+      return points.size() < 3 || orient2d(points.front(), points.back(), p) == 0;
+    });
+    if (on_a_line) {
+      EXPECT_THROW((void)delaunay_triangulation(points), Error);
+      continue;
+    }
+    const Mesh mesh = delaunay_triangulation(points);
+    ASSERT_EQ(validate(mesh, GeometryCheck::kPlanarCorners), "");
+    ASSERT_EQ(mesh.face_slots(), 2 * points.size() - 2 - count_hull_points(points));
+    for (const FaceId f : mesh.faces())
+      for (const Vec2 p : points)
+        ASSERT_LE(incircle(mesh.point(mesh.corner(f, 0)), mesh.point(mesh.corner(f, 1)),
+                           mesh.point(mesh.corner(f, 2)), p),
+                  0);
+  }
+}
+
 TEST(DelaunayTriangulation, IsTheSameOnAnyNumberOfThreads) {
   const std::vector<Vec2> points = random_points(3, 20'000, {465'000.25, 6'691'000.75}, 100);
   std::vector<VertexId> serial;
