@@ -26,6 +26,7 @@ Mesh make_mixed(Mesh&& triangles, const NodedLines& lines, const MixedOptions& o
     progress.report("pairing", static_cast<double>(round + 1) / (options.rounds + 1));
     report.rearrange.push_back(rearrange(mesh, options.rearrange, progress));
     report.smoothing.push_back(smooth_laplacian(mesh, lines, options.smoothing, progress));
+    report.square_corners.push_back(square_corners(mesh, lines, options.square_corners, progress));
   }
   return mesh;
 }

@@ -7,7 +7,7 @@
 namespace quarry {
 
 struct OptimiseOptions {
-  int sweeps = 6;
+  int sweeps = 4;
   // Stars whose worst face has a measure (sine of the worst corner times aspect factor) of this or more are
   // left alone.
   double target = 0.7;

@@ -11,15 +11,44 @@ namespace {
 
 Vec2 turned_left(Vec2 a) { return {-a.y, a.x}; }
 
-// tan((90 degrees - angle) / 2) = cos / (1 + sin) of a corner, and its derivative by the angle.
+// tan((wanted - angle) / 2) of a corner, and its derivative by the angle.
 struct CornerResidual {
   double value;
   double slope;
 };
-CornerResidual residual(Vec2 out, Vec2 back, double lengths) {
-  const double below = lengths + cross(out, back);
-  return {dot(out, back) / below, -lengths / below};
+
+// The wanted angle of a corner of a quad is 90 degrees, of a triangle 60.
+struct WantedAngle {
+  double cosine, sine;
+};
+constexpr WantedAngle kRight{0, 1};
+constexpr WantedAngle kSixty{0.5, 0.86602540378443865};
+
+// lengths: the product of the lengths of the two edges.
+CornerResidual residual(Vec2 out, Vec2 back, double lengths, WantedAngle wanted) {
+  const double cosine = dot(out, back);
+  const double sine = cross(out, back);
+  const double below = 1.0 / (lengths + wanted.cosine * cosine + wanted.sine * sine);
+  return {(wanted.sine * cosine - wanted.cosine * sine) * below, -lengths * below};
 }
+
+// The residuals of the three corners of a face that a move of the vertex changes.
+struct FaceResiduals {
+  CornerResidual here, next, previous;
+
+  FaceResiduals(const StarFace& face, Vec2 out, Vec2 back) {
+    const WantedAngle wanted = face.quad ? kRight : kSixty;
+    const double oo = squared_length(out);
+    const double bb = squared_length(back);
+    here = residual(out, back, std::sqrt(oo * bb), wanted);
+    next = residual(face.far_next, -1.0 * out, std::sqrt(oo * face.far_next_squared), wanted);
+    previous =
+        residual(-1.0 * back, -1.0 * face.far_previous, std::sqrt(bb * face.far_previous_squared), wanted);
+  }
+  [[nodiscard]] double sum_of_squares() const {
+    return here.value * here.value + next.value * next.value + previous.value * previous.value;
+  }
+};
 
 // The sum of squares with its gradient and the Gauss-Newton approximation of its second derivatives.
 struct Quadratic {
@@ -56,7 +85,7 @@ class SquaringMover {
   bool move(Mesh& mesh, VertexId v) {
     star_.gather(mesh, v);
     const Quadratic here = sum_at({});
-    Vec2 step = minimiser(here, slide_.direction(v));
+    Vec2 step = options_.relaxation * minimiser(here, slide_.direction(v));
     // The quadratic is no good guide beyond the nearest neighbour.
     const double reach = 0.25 * star_.shortest_squared();
     const double squared = squared_length(step);
@@ -85,14 +114,13 @@ class SquaringMover {
     for (const StarFace& face : star_.faces()) {
       const Vec2 out = face.next - offset;
       const Vec2 back = face.previous - offset;
-      const double oo = squared_length(out);
-      const double bb = squared_length(back);
-      const Vec2 out_turn = (1.0 / oo) * turned_left(out);
-      const Vec2 back_turn = (1.0 / bb) * turned_left(back);
-      sum.add(residual(out, back, std::sqrt(oo * bb)), out_turn - back_turn);
-      sum.add(residual(face.far_next, -1.0 * out, std::sqrt(oo * face.far_next_squared)), -1.0 * out_turn);
-      sum.add(residual(-1.0 * back, -1.0 * face.far_previous, std::sqrt(bb * face.far_previous_squared)),
-              back_turn);
+      const FaceResiduals residuals(face, out, back);
+      // The gradients of the angles to the two joined corners.
+      const Vec2 out_turn = (1.0 / squared_length(out)) * turned_left(out);
+      const Vec2 back_turn = (1.0 / squared_length(back)) * turned_left(back);
+      sum.add(residuals.here, out_turn - back_turn);
+      sum.add(residuals.next, -1.0 * out_turn);
+      sum.add(residuals.previous, back_turn);
     }
     const double w = spring_weight();
     const Vec2 stretch = offset - star_.umbrella();
@@ -105,17 +133,8 @@ class SquaringMover {
 
   [[nodiscard]] double value_at(Vec2 offset) const {
     double sum = spring_weight() * squared_length(offset - star_.umbrella());
-    for (const StarFace& face : star_.faces()) {
-      const Vec2 out = face.next - offset;
-      const Vec2 back = face.previous - offset;
-      const double oo = squared_length(out);
-      const double bb = squared_length(back);
-      const double a = residual(out, back, std::sqrt(oo * bb)).value;
-      const double b = residual(face.far_next, -1.0 * out, std::sqrt(oo * face.far_next_squared)).value;
-      const double c =
-          residual(-1.0 * back, -1.0 * face.far_previous, std::sqrt(bb * face.far_previous_squared)).value;
-      sum += a * a + b * b + c * c;
-    }
+    for (const StarFace& face : star_.faces())
+      sum += FaceResiduals(face, face.next - offset, face.previous - offset).sum_of_squares();
     return sum;
   }
 

@@ -1,4 +1,5 @@
-// Sweeps that make the corners of quads as right-angled as the mesh's topology allows: what lifts the mean.
+// Sweeps that make the corners of quads as right-angled, and those of triangles as near to 60 degrees, as the
+// mesh's topology allows: what lifts the mean.
 #pragma once
 
 #include "engine/mesh/constraint.hpp"
@@ -7,7 +8,7 @@
 namespace quarry {
 
 struct SquareCornersOptions {
-  int sweeps = 6;
+  int sweeps = 4;
   // Stars all of whose faces have a measure (sine of the worst corner times aspect factor) above this are
   // left alone at first.
   double content = 0.98;
@@ -15,12 +16,15 @@ struct SquareCornersOptions {
   double floor = 0.6;
   // The pull towards the mean of the neighbours, which keeps sizes even, against that of the corners.
   double spring = 0.2;
+  // How far to go along each step: beyond 1, as in successive over-relaxation, long waves of error die
+  // sooner.
+  double relaxation = 1.5;
   // A vertex that would move by less than this share of its shortest edge stays where it is.
   double tolerance = 0.01;
 };
 
 // One Gauss-Newton step a vertex and sweep on
-//   sum over the corners of its star of tan((90 degrees - angle) / 2)^2 + spring^2 |p - mean of neighbours|^2
+//   sum over the corners of its star of tan((wanted - angle) / 2)^2 + spring^2 |p - mean of neighbours|^2
 //   / edge^2,
 // whole or half or a quarter of it. A move is accepted only if this sum falls, every corner of the star turns
 // left (exact), and no face falls below the floor, or, below it, becomes worse. Sliding vertices step along
