@@ -184,6 +184,12 @@ CleanedLines clean_lines(const LineSet& lines, const Outline& outline, const Cle
     result.notes.push_back(fmt::format(
         "snap {:g} is below what the coordinates can tell apart; raised to {:g}", options.snap, least));
   }
+  if (result.options.min_edge < result.options.snap) {
+    result.options.min_edge = result.options.snap;
+    result.notes.push_back(
+        fmt::format("min-edge {:g} is below snap, within which points become one; raised to {:g}",
+                    options.min_edge, result.options.snap));
+  }
   progress.report("clean", 0.0);
   PathNetwork network = linework::cluster_points(raw_lines(lines, outline), result.options.snap);
   linework::Reasons reasons(lines.lines.size());
@@ -214,7 +220,7 @@ CleanedLines clean_lines(const LineSet& lines, const Outline& outline, const Cle
   for (const LedgerEntry& entry : result.ledger)
     result.counts.largest_move = std::max(result.counts.largest_move, entry.moved);
   for (const Piece& piece : result.lines.pieces)
-    if (distance(result.lines.nodes[piece.from], result.lines.nodes[piece.to]) < options.min_edge)
+    if (distance(result.lines.nodes[piece.from], result.lines.nodes[piece.to]) < result.options.min_edge)
       ++result.counts.short_pieces;
   progress.report("clean", 1.0);
   return result;

@@ -172,7 +172,8 @@ TEST(Cleaning, GivesTheRaisedSnapAndTellsSo) {
   const CleanedLines result = clean_lines(raw, box_outline(raw, 0), {});
   EXPECT_GT(result.options.snap, 6.7e6 * 1e-15);
   EXPECT_LT(result.options.snap, 1e-6);
-  ASSERT_EQ(result.notes.size(), 1U);
+  EXPECT_EQ(result.options.min_edge, result.options.snap);
+  EXPECT_EQ(result.notes.size(), 2U);
 }
 
 TEST(Cleaning, RefusesLengthsThatAreNone) {
