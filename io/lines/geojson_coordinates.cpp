@@ -33,9 +33,7 @@ constexpr double kLargest = 1e100;
 
 }  // namespace
 
-bool geojson_type_has_coordinates(std::string_view type) {
-  return find_type(type) != nullptr;
-}
+bool geojson_type_has_coordinates(std::string_view type) { return find_type(type) != nullptr; }
 
 void GeojsonCoordinates::clear() {
   stack_.clear();

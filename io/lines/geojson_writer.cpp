@@ -23,8 +23,7 @@ class Chains {
       ++begin_[piece.from.value() + 1];
       ++begin_[piece.to.value() + 1];
     }
-    for (std::size_t i = 0; i < nodes; ++i)
-      begin_[i + 1] += begin_[i];
+    for (std::size_t i = 0; i < nodes; ++i) begin_[i + 1] += begin_[i];
     around_.resize(2 * lines.pieces.size());
     std::vector<std::size_t> at(begin_.begin(), begin_.end() - 1);
     for (const PieceId id : IdRange<PieceId>(lines.pieces.size())) {
@@ -84,8 +83,7 @@ void write_lines_geojson(const std::string& path, const NodedLines& lines) {
     const std::vector<NodeId> chain = chains.take(id);
     if (chain.empty()) continue;
     std::vector<std::uint32_t> numbers;
-    for (const LineId line : lines.numbers(id))
-      numbers.push_back(line.value());
+    for (const LineId line : lines.numbers(id)) numbers.push_back(line.value());
     fmt::memory_buffer text;
     fmt::format_to(std::back_inserter(text),
                    "{}{{\"type\":\"Feature\",\"properties\":{{\"lines\":[{}],\"kind\":\"{}\"}},",

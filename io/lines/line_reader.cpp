@@ -31,8 +31,7 @@ const LineFormat& format_of(const std::string& path) {
   for (const LineFormat& format : kFormats)
     if (format.extension == extension) return format;
   std::vector<std::string_view> known;
-  for (const LineFormat& format : kFormats)
-    known.push_back(format.extension);
+  for (const LineFormat& format : kFormats) known.push_back(format.extension);
   throw Error(ErrorKind::kInput, fmt::format("{}: no reader for lines in '{}' files; supported: {}", path,
                                              extension, fmt::join(known, ", ")));
 }

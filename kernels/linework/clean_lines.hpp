@@ -25,6 +25,7 @@ struct CleanOptions {
   double snap = 0;
   // Shorter pieces are collapsed where that moves no line by more than snap + min_edge and turns no face
   // over.
+  // Raised to snap, within which points become one anyway.
   double min_edge = 0;
   // A bend may go if no raw point that the joined piece stands for ends up farther than this from it.
   double tolerance = 0;
