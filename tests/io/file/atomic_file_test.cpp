@@ -37,8 +37,7 @@ TEST(AtomicFile, AppearsWholeOnCommit) {
   const Folder folder;
   const std::string path = folder.file("out.txt");
   std::string text;
-  for (int i = 0; i < 300'000; ++i)
-    text += "0123456789";
+  for (int i = 0; i < 300'000; ++i) text += "0123456789";
   AtomicFile file(path);
   file.write(text);
   EXPECT_FALSE(std::filesystem::exists(path));

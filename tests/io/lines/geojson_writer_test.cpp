@@ -15,12 +15,10 @@ NodedLines make_lines(std::vector<Vec2> nodes,
                       const std::vector<std::vector<std::uint32_t>>& numbers) {
   NodedLines lines;
   lines.nodes = IdVector<NodeId, Vec2>(std::move(nodes));
-  for (const auto& [from, to] : pieces)
-    lines.pieces.push_back({NodeId(from), NodeId(to)});
+  for (const auto& [from, to] : pieces) lines.pieces.push_back({NodeId(from), NodeId(to)});
   lines.line_begin.push_back(0);
   for (const auto& row : numbers) {
-    for (const std::uint32_t number : row)
-      lines.line_numbers.push_back(LineId(number));
+    for (const std::uint32_t number : row) lines.line_numbers.push_back(LineId(number));
     lines.line_begin.push_back(static_cast<std::uint32_t>(lines.line_numbers.size()));
   }
   return lines;
