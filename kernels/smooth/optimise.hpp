@@ -7,7 +7,7 @@
 namespace quarry {
 
 struct OptimiseOptions {
-  int sweeps = 4;
+  int sweeps = 6;
   // Stars whose worst face has a measure (sine of the worst corner times aspect factor) of this or more are
   // left alone.
   double target = 0.7;

@@ -14,15 +14,20 @@ double signed_square(double area, double lengths) {
   return lengths > 0 ? area * std::abs(area) / lengths : -1.0;
 }
 
-// The guard for edges of these squared lengths, see Star.
-double aspect_factor(double shortest, double longest) {
-  constexpr double kMild = 4.0 * 4.0;
-  constexpr double kSteep = 8.0 * 8.0;
-  if (kMild * shortest >= longest) return 1.0;
-  const double mild = kMild * shortest / longest;
-  if (kSteep * shortest >= longest) return mild;
-  const double steep = kSteep * shortest / longest;
-  return mild * steep * steep;
+// The aspect guard, see Star. Four edges s, s, 4s, 4s have r = 0.2215, and s, s, 7s, 7s 0.0784; no four edges
+// within these ratios have less.
+double aspect_factor(const StarFace& face, double oo, double bb) {
+  constexpr double kMild = 0.2215;
+  constexpr double kSteep = 0.0784;
+  const auto [shortest, longest] = std::minmax({face.far_next_squared, face.far_previous_squared, oo, bb});
+  if (16 * shortest >= longest) return 1.0;
+  const double far_sum = face.far_next_squared + face.far_previous_squared;
+  const double far_product = face.far_next_squared * face.far_previous_squared;
+  const double inverses = (oo + bb) / (oo * bb) + far_sum / far_product;
+  const double r = 16.0 / (inverses * (oo + bb + far_sum));
+  const double mild = std::min(1.0, r / kMild);
+  const double steep = std::min(1.0, r / kSteep);
+  return mild * steep * steep * steep;
 }
 
 double measure_quad(const StarFace& face, Vec2 out, Vec2 back) {
@@ -32,12 +37,8 @@ double measure_quad(const StarFace& face, Vec2 out, Vec2 back) {
   worst = std::min(worst, signed_square(cross(out, face.far_next), oo * face.far_next_squared));
   worst =
       std::min(worst, signed_square(cross(face.far_previous, -1.0 * back), bb * face.far_previous_squared));
-  const double shortest =
-      std::min(std::min(face.far_next_squared, face.far_previous_squared), std::min(oo, bb));
-  const double longest =
-      std::max(std::max(face.far_next_squared, face.far_previous_squared), std::max(oo, bb));
   // A small factor must not lift a negative value.
-  return worst > 0 ? worst * aspect_factor(shortest, longest) : worst;
+  return worst > 0 ? worst * aspect_factor(face, oo, bb) : worst;
 }
 
 // 4 sqrt(3) A = 2 sqrt(3) times the cross product; its square is 12 times.

@@ -26,10 +26,12 @@ struct StarFace {
 };
 
 // How good a face is, for comparison only: no square roots, signs kept.
-//   quad      the smallest sin |sin| of its corners, times min(1, (4 r)^2) min(1, (8 r)^4) with r = shortest
-//   edge /
-//             longest edge. The factors are what a scaled Jacobian lacks: it is blind to edges that shrink to
-//             nothing.
+//   quad      the smallest sin |sin| of its corners, times an aspect guard: what a scaled Jacobian lacks,
+//   which is
+//             blind to edges that shrink to nothing. With r the harmonic by the arithmetic mean of the
+//             squared edges it is min(1, r / 0.2215) min(1, r / 0.0606)^2, that is 1 up to four times as long
+//             as wide and steep from eight times on. Means in place of extremes let each end of a short or a
+//             long edge help alone.
 //   triangle  the signed square of Lo's measure.
 // Both lie in [-1, 1]; a square and an equilateral triangle have 1.
 class Star {

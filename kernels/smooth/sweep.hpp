@@ -65,6 +65,7 @@ template <class Mover>
 SweepReport run_sweeps(Mesh& mesh, VertexColouring& colouring, const Mover& mover, int sweeps,
                        const Progress& progress) {
   SweepReport report;
+  if (sweeps <= 0) return report;
   WakeList list(mesh.vertex_slots(), [&](VertexId v) { return mover.may_move(v); });
   parallel::for_each_chunk(mesh.vertex_slots(), 4 * kSweepChunk, [&](std::size_t begin, std::size_t end) {
     Mover own = mover;

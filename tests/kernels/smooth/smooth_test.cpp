@@ -186,14 +186,43 @@ TEST(OptimiseCorners, LengthensAnEdgeThatShrankToATwentiethOfItsNeighbours) {
     EXPECT_LT(measure_face(mesh, f, [](auto... corners) { return edge_ratio(corners...); }), 4);
 }
 
-TEST(Star, CountsAShrunkenEdgeAgainstAQuadOfRightAngles) {
-  // A rectangle 8 times as long as wide has corners of 90 degrees; the aspect guard halves its sine.
+TEST(Star, MeasuresRectanglesByTheirAspectFromFourOn) {
   const std::vector<FaceCorners> faces = {{VertexId(0U), VertexId(1U), VertexId(2U), VertexId(3U)}};
-  const Mesh mesh = build_mesh({0, 8, 8, 0}, {0, 0, 1, 1}, faces);
-  Star star;
-  star.gather(mesh, VertexId(0U));
-  star.weigh();
-  EXPECT_DOUBLE_EQ(star.worst(), 0.25);
+  double last = 2;
+  for (const double aspect : {1.0, 3.9, 4.1, 8.0, 12.0, 100.0}) {
+    const Mesh mesh = build_mesh({0, aspect, aspect, 0}, {0, 0, 1, 1}, faces);
+    Star star;
+    star.gather(mesh, VertexId(0U));
+    star.weigh();
+    if (aspect < 4) {
+      EXPECT_EQ(star.worst(), 1.0);
+    } else {
+      EXPECT_LT(star.worst(), last);
+    }
+    last = star.worst();
+  }
+}
+
+TEST(OptimiseCorners, OpensAThinRowFromEitherSideOfIt) {
+  // The middle row lies 0.05 over the lowest one: no vertex can make a quad of the row wider by itself.
+  const auto id = [](std::uint32_t i) { return VertexId(i); };
+  const std::vector<FaceCorners> faces = {{id(0), id(1), id(4), id(3)},
+                                          {id(1), id(2), id(5), id(4)},
+                                          {id(3), id(4), id(7), id(6)},
+                                          {id(4), id(5), id(8), id(7)}};
+  Mesh mesh = build_mesh({0, 1, 2, 0, 1, 2, 0, 1, 2}, {0, 0, 0, 0.05, 0.05, 0.05, 1, 1, 1}, faces);
+  ConstraintTags tags = ConstraintTags::add_to(mesh);
+  NodedLines lines;
+  for (const VertexId v : mesh.vertices())
+    if (v != id(4)) tags.support[v] = Support::fixed();
+  for (const std::uint32_t end : {3U, 5U}) {
+    const NodeId low = lines.nodes.push_back(mesh.point(id(end - 3)));
+    const NodeId high = lines.nodes.push_back(mesh.point(id(end + 3)));
+    tags.support[id(end)] = Support::on(lines.pieces.push_back({low, high, PieceKindOf::kOutline}));
+  }
+  optimise_corners(mesh, lines, {.sweeps = 20}, Progress());
+  for (const FaceId f : mesh.faces())
+    EXPECT_LT(measure_face(mesh, f, [](auto... corners) { return edge_ratio(corners...); }), 6);
 }
 
 }  // namespace
