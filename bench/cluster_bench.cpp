@@ -1,0 +1,62 @@
+// From triangles to quads: pairing by either measure, and merging with halving. In triangles a second.
+#include <utility>
+
+#include <benchmark/benchmark.h>
+
+#include "bench/synthetic_network.hpp"
+#include "engine/parallel/parallel.hpp"
+#include "kernels/cluster/merge.hpp"
+#include "kernels/cluster/pairing.hpp"
+#include "kernels/cluster/subdivide.hpp"
+
+namespace quarry {
+namespace {
+
+constexpr std::uint32_t kLines = 1000;
+constexpr double kSize = 2;
+
+// Argument: threads.
+void pair(benchmark::State& state, PairMeasure measure) {
+  const CleanedLines cleaned = bench::clean_network(kLines, kSize);
+  const Mesh mesh = bench::triangle_mesh(cleaned.lines, kSize);
+  parallel::with_threads(static_cast<int>(state.range(0)), [&] {
+    for (auto _ : state) {
+      PairingReport report;
+      benchmark::DoNotOptimize(
+          pair_triangles(mesh, ConstraintTags::of(mesh), {.measure = measure}, report, {}));
+    }
+  });
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(mesh.count_alive_faces()));
+}
+BENCHMARK_CAPTURE(pair, by_quad_quality, PairMeasure::kQuadQuality)
+    ->Arg(1)
+    ->Arg(2)
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(pair, by_longest_edge, PairMeasure::kLongestEdge)
+    ->Arg(1)
+    ->Arg(2)
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
+
+// Argument: threads. Both steps consume their mesh: it is made anew while the clock stands.
+void merge_and_halve(benchmark::State& state) {
+  const CleanedLines cleaned = bench::clean_network(kLines, kSize);
+  const Mesh triangles = bench::triangle_mesh(cleaned.lines, kSize);
+  PairingReport paired;
+  const Pairing pairing = pair_triangles(triangles, ConstraintTags::of(triangles), {}, paired, {});
+  parallel::with_threads(static_cast<int>(state.range(0)), [&] {
+    for (auto _ : state) {
+      state.PauseTiming();
+      Mesh mesh = bench::triangle_mesh(cleaned.lines, kSize);
+      state.ResumeTiming();
+      SubdivideReport report;
+      benchmark::DoNotOptimize(subdivide(merge_pairs(std::move(mesh), pairing), cleaned.lines, report, {}));
+    }
+  });
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(triangles.count_alive_faces()));
+}
+BENCHMARK(merge_and_halve)->Arg(1)->Arg(2)->Iterations(5)->UseRealTime()->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace quarry
