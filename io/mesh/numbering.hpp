@@ -1,5 +1,6 @@
-// Numbers the entities of a mesh that are alive from 0, in id order: files have no tombstones. A mesh without
-// tombstones costs nothing here.
+// Numbers the entities of a mesh that are alive from 0, in id order: files have no tombstones, and a point
+// where the domain touches itself (engine/mesh/pinch.hpp) is one point. A mesh without either costs nothing
+// here.
 #pragma once
 
 #include <cstdint>

@@ -9,6 +9,7 @@
 #include "engine/base/error.hpp"
 #include "engine/mesh/compact.hpp"
 #include "engine/mesh/domain.hpp"
+#include "engine/mesh/pinch.hpp"
 #include "engine/mesh/validate.hpp"
 #include "io/lines/line_reader.hpp"
 #include "kernels/cluster/merge.hpp"
@@ -145,6 +146,7 @@ SectionResult mesh_section(const SectionOptions& options, const Progress& progre
   clock.start("insertion");
   insert(options, result, progress);
   remove_outside(result.mesh, tags, result.cleaned.lines);
+  split_pinches(result.mesh, tags);
   compact(result.mesh, EntityOrder::kHilbert);
   if (options.elements == Elements::kQuad) {
     convert_to_quads(options, result, clock, progress);
@@ -157,6 +159,7 @@ SectionResult mesh_section(const SectionOptions& options, const Progress& progre
   const ConstraintTags final_tags = ConstraintTags::of(result.mesh);
   result.regions = label_regions(result.mesh, final_tags);
   extract_edges(result.mesh, final_tags, result.cleaned.lines);
+  mark_pinches(result.mesh, final_tags);
   require_valid(result.mesh);
   clock.stop();
   result.times = clock.times();

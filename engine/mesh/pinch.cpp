@@ -1,0 +1,60 @@
+#include "engine/mesh/pinch.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace quarry {
+namespace {
+
+// The boundary sides of faces alive, by the vertex that they start at, then by number. A fan has one such
+// side, its most clockwise one; the first of a vertex is its side_of.
+std::vector<std::pair<VertexId, SideId>> first_sides_of_fans(const Mesh& mesh) {
+  std::vector<std::pair<VertexId, SideId>> fans;
+  for (const FaceId f : mesh.faces()) {
+    if (!mesh.alive(f)) continue;
+    for (int k = 0; k < mesh.corner_count(f); ++k) {
+      const SideId s(f, k);
+      if (!mesh.neighbour(s).valid()) fans.emplace_back(mesh.origin(s), s);
+    }
+  }
+  std::sort(fans.begin(), fans.end());
+  return fans;
+}
+
+}  // namespace
+
+std::size_t split_pinches(Mesh& mesh, ConstraintTags tags) {
+  const auto fans = first_sides_of_fans(mesh);
+  std::size_t split = 0;
+  for (std::size_t i = 1; i < fans.size(); ++i) {
+    const auto [v, first] = fans[i];
+    if (fans[i - 1].first != v) continue;
+    const VertexId twin = mesh.grow_vertices(1);
+    mesh.set_point(twin, mesh.point(v));
+    tags.support[twin] = tags.support[v];
+    for (SideId s = first; s.valid(); s = mesh.turn_left(s)) mesh.set_corner(s, twin);
+    mesh.set_side_of(twin, first);
+    ++split;
+  }
+  return split;
+}
+
+void mark_pinches(Mesh& mesh, ConstraintTags tags) {
+  std::vector<std::pair<NodeId, VertexId>> ends;
+  for (const VertexId v : mesh.vertices())
+    if (mesh.alive(v) && tags.support[v].is_node() && mesh.on_boundary(v))
+      ends.emplace_back(tags.support[v].node(), v);
+  std::sort(ends.begin(), ends.end());
+  const auto shares = [&](std::size_t i, std::size_t k) {
+    return k < ends.size() && ends[i].first == ends[k].first;
+  };
+  Tag<VertexId, std::uint8_t> pinch;
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    if (!shares(i, i + 1) && (i == 0 || !shares(i, i - 1))) continue;
+    if (!pinch.valid()) pinch = mesh.add_tag<VertexId, std::uint8_t>(kPinchTag, 0);
+    pinch[ends[i].second] = 1;
+  }
+}
+
+}  // namespace quarry
