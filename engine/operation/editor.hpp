@@ -118,7 +118,7 @@ class MeshEditor {
   std::span<const VertexId> claims_;
   NewIds first_{};
   NewIds end_{};
-  bool confined_ = false;
+  [[maybe_unused]] bool confined_ = false;
 };
 
 // Violations found so far in this process by editors with claim checks on, and what the first one was.
