@@ -30,7 +30,11 @@ class RearrangeOperation {
   };
 
   RearrangeOperation(const Mesh& mesh, ConstraintTags tags, const RearrangeOptions& options)
-      : tags_(tags), options_(options), wanted_(mesh.vertex_slots(), 4), faces_at_(mesh.vertex_slots(), 0) {
+      : tags_(tags),
+        options_(options),
+        wanted_(mesh.vertex_slots(), 4),
+        faces_at_(mesh.vertex_slots(), 0),
+        shape_(mesh.face_slots(), 0) {
     parallel::for_each(mesh.vertex_slots(), [&](std::size_t i) {
       const VertexId v(i);
       if (!mesh.alive(v)) return;
@@ -38,6 +42,9 @@ class RearrangeOperation {
       for_each_side_around(mesh, v, [&](SideId) { ++faces; });
       faces_at_[v] = static_cast<std::uint16_t>(faces);
       if (mesh.on_boundary(v)) wanted_[v] = wanted_on_rim(mesh, v);
+    });
+    parallel::for_each(mesh.face_slots(), [&](std::size_t i) {
+      if (mesh.alive(FaceId(i))) shape_[FaceId(i)] = compute_shape(mesh, FaceId(i));
     });
   }
 
@@ -72,8 +79,11 @@ class RearrangeOperation {
           static_cast<std::uint16_t>(faces + cut.faces_at[static_cast<std::size_t>(i)] - patch.faces_at(i));
     }
     patch.apply(editor, tags_, cut, ids);
-    for (int i = 0; i < std::min(cut.face_count, plan.face_count); ++i)
-      follow_ups.push_back(plan.faces[static_cast<std::size_t>(i)].value());
+    for (int i = 0; i < std::min(cut.face_count, plan.face_count); ++i) {
+      const FaceId f = plan.faces[static_cast<std::size_t>(i)];
+      if (f.value() < shape_.size()) shape_[f] = compute_shape(editor.mesh(), f);
+      follow_ups.push_back(f.value());
+    }
     for (int i = 0; i < patch.corners(); ++i)
       if (patch.across(i).valid()) follow_ups.push_back(patch.across(i).face().value());
   }
@@ -173,11 +183,14 @@ class RearrangeOperation {
                                       : scaled_jacobian(p[0], p[1], p[2], p[3]);
     return sine > 0 ? sine * std::min(1.0, 4 * edges.shortest / edges.longest) : sine;
   }
-  static double shape(const Mesh& mesh, FaceId f) {
+  static double compute_shape(const Mesh& mesh, FaceId f) {
     std::array<Vec2, 4> p;
     const auto count = static_cast<std::size_t>(mesh.corner_count(f));
     for (std::size_t k = 0; k < count; ++k) p[k] = mesh.point(mesh.corner(f, static_cast<int>(k)));
     return shape(std::span<const Vec2>(p).first(count));
+  }
+  [[nodiscard]] double shape(const Mesh& mesh, FaceId f) const {
+    return f.value() < shape_.size() ? shape_[f] : compute_shape(mesh, f);
   }
   static bool turns_left(std::span<const Vec2> p) {
     for (std::size_t i = 0; i < p.size(); ++i)
@@ -194,18 +207,23 @@ class RearrangeOperation {
       floor = std::min(floor, sine);
       old_cost += face_cost(sine) + (mesh.corner_count(f) == 3 ? 1 : 0);
     }
+    // Of each corner: its place, and what it costs with so many faces of the patch.
     std::array<Vec2, kMostPolygonCorners> points;
-    for (int i = 0; i < patch.corners(); ++i) {
-      points[static_cast<std::size_t>(i)] = mesh.point(patch.vertex(i));
-      old_cost += vertex_cost(patch.vertex(i), 0);
+    std::array<std::array<double, Dissection::kMostFaces + 1>, kMostPolygonCorners> corner_cost;
+    const auto corners = static_cast<std::size_t>(patch.corners());
+    for (std::size_t i = 0; i < corners; ++i) {
+      const VertexId v = patch.vertex(static_cast<int>(i));
+      const int now = patch.faces_at(static_cast<int>(i));
+      points[i] = mesh.point(v);
+      old_cost += vertex_cost(v, 0);
+      for (int faces = 1; faces <= Dissection::kMostFaces; ++faces)
+        corner_cost[i][static_cast<std::size_t>(faces)] = vertex_cost(v, faces - now);
     }
     const auto cuts = dissections(patch.corners());
     int best = -1;
     for (std::size_t c = 0; c < cuts.size(); ++c) {
       double cost = cuts[c].triangle_count;
-      for (int i = 0; i < patch.corners(); ++i)
-        cost +=
-            vertex_cost(patch.vertex(i), cuts[c].faces_at[static_cast<std::size_t>(i)] - patch.faces_at(i));
+      for (std::size_t i = 0; i < corners; ++i) cost += corner_cost[i][cuts[c].faces_at[i]];
       // Shapes only add to the cost.
       if (old_cost - cost <= gain) continue;
       cost += shape_cost(cuts[c], points, floor, old_cost - cost - gain);
@@ -239,6 +257,8 @@ class RearrangeOperation {
   IdVector<VertexId, std::uint8_t> wanted_;
   // Written by who has claimed the vertex.
   mutable IdVector<VertexId, std::uint16_t> faces_at_;
+  // Of the faces that were there at first; written by who has claimed all corners.
+  mutable IdVector<FaceId, double> shape_;
 };
 
 }  // namespace

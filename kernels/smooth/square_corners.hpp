@@ -8,7 +8,7 @@
 namespace quarry {
 
 struct SquareCornersOptions {
-  int sweeps = 4;
+  int sweeps = 3;
   // Stars all of whose faces have a measure (sine of the worst corner times aspect factor) above this are
   // left alone at first.
   double content = 0.98;

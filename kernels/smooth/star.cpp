@@ -61,7 +61,7 @@ void Star::gather(const Mesh& mesh, VertexId v) {
   umbrella_ = {};
   shortest_squared_ = std::numeric_limits<double>::infinity();
   mean_squared_ = 0;
-  faces_.clear();
+  count_ = 0;
   double joined = 0;
   const auto join = [&](Vec2 edge) {
     const double squared = squared_length(edge);
@@ -74,7 +74,8 @@ void Star::gather(const Mesh& mesh, VertexId v) {
   for (SideId s = first; s.valid();) {
     const SideId forward = mesh.next(s);
     const SideId back = mesh.previous(s);
-    StarFace& face = faces_.emplace_back();
+    if (count_ == faces_.size()) faces_.emplace_back();
+    StarFace& face = faces_[count_++];
     face.quad = mesh.corner_count(s.face()) == 4;
     face.at_next = mesh.point(mesh.origin(forward));
     face.at_previous = mesh.point(mesh.origin(back));
@@ -96,7 +97,7 @@ void Star::gather(const Mesh& mesh, VertexId v) {
 
 void Star::weigh() {
   worst_ = 1;
-  for (StarFace& face : faces_) {
+  for (StarFace& face : std::span(faces_).first(count_)) {
     face.far_corner = face.quad ? signed_square(cross(face.far_next, face.far_previous),
                                                 face.far_next_squared * face.far_previous_squared)
                                 : 1.0;
@@ -107,7 +108,7 @@ void Star::weigh() {
 
 double Star::badness_at(Vec2 offset) const {
   double sum = 0;
-  for (const StarFace& face : faces_) {
+  for (const StarFace& face : faces()) {
     const double value = measure(face, offset);
     if (value < worst_ || !(value > 0)) return std::numeric_limits<double>::infinity();
     sum += 1.0 / value;
@@ -116,13 +117,13 @@ double Star::badness_at(Vec2 offset) const {
 }
 
 bool Star::keeps_faces(Vec2 offset, double bar) const {
-  for (const StarFace& face : faces_)
+  for (const StarFace& face : faces())
     if (measure(face, offset) < std::min(face.measure, bar)) return false;
   return true;
 }
 
 bool Star::valid_at(Vec2 p) const {
-  for (const StarFace& face : faces_) {
+  for (const StarFace& face : faces()) {
     if (!(orient2d(face.at_previous, p, face.at_next) > 0)) return false;
     if (face.quad && !(orient2d(p, face.at_next, face.at_opposite) > 0 &&
                        orient2d(face.at_opposite, face.at_previous, p) > 0))

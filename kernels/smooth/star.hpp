@@ -41,7 +41,7 @@ class Star {
   // Measures the faces as they are: needed before all functions that judge a move.
   void weigh();
 
-  [[nodiscard]] std::span<const StarFace> faces() const { return faces_; }
+  [[nodiscard]] std::span<const StarFace> faces() const { return std::span(faces_).first(count_); }
   [[nodiscard]] Vec2 place() const { return place_; }
   // The mean of the joined vertices, relative to place().
   [[nodiscard]] Vec2 umbrella() const { return umbrella_; }
@@ -68,7 +68,8 @@ class Star {
   double shortest_squared_ = 0;
   double mean_squared_ = 0;
   double worst_ = 1;
-  std::vector<StarFace> faces_;
+  std::size_t count_ = 0;
+  std::vector<StarFace> faces_;  // the first count_ are those of this star
 };
 
 }  // namespace quarry
