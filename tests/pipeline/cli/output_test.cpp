@@ -108,6 +108,25 @@ TEST(Outputs, ABrokenMeshIsToldWithItsFile) {
   expect_failure({"convert", folder.write("broken.obj", "f 1 2 9\n"), folder / "out.vtu"}, 3, "broken.obj");
 }
 
+// Two squares that share a corner, and a hole that meets the rim of its square in one point.
+constexpr const char* kTouching =
+    R"({"type": "MultiPolygon", "coordinates": [[[[0, 0], [10, 0], [10, 10], [0, 10], [0, 0]],
+        [[5, 0], [7, 4], [3, 4], [5, 0]]], [[[10, 10], [20, 10], [20, 20], [10, 20], [10, 10]]]]})";
+
+TEST(Outputs, APointWhereTheDomainTouchesItselfIsOnePoint) {
+  const TestFolder folder;
+  const std::string input = folder.write("touching.geojson", kTouching);
+  ASSERT_EQ(run_quarry({"mesh", input, "-o", folder / "out.vtu", "--size", "1"}).exit_code, 0);
+  for (const std::string name : {"out.msh", "out.obj"}) {
+    ASSERT_EQ(run_quarry({"mesh", input, "-o", folder / name, "--size", "1"}).exit_code, 0) << name;
+    EXPECT_EQ(quality_of(folder / name)["vertices"], quality_of(folder / "out.vtu")["vertices"]) << name;
+  }
+  const nlohmann::json quality = quality_of(folder / "out.vtu");
+  EXPECT_NEAR(quality["area"].get<double>(), 192, 1e-9);
+  ASSERT_EQ(run_quarry({"convert", folder / "out.vtu", folder / "again.vtu"}).exit_code, 0);
+  EXPECT_EQ(quality_of(folder / "again.vtu")["vertices"], quality["vertices"]);
+}
+
 // Signals arrive while the job works: after it has told what is to be expected.
 class Interrupt : public testing::TestWithParam<int> {};
 
