@@ -8,6 +8,7 @@ namespace quarry {
 
 QuadOptions paper_quad_options() {
   QuadOptions options;
+  options.mixed.fronts.steps = FrontOptions().steps;
   options.mixed.pairing.measure = PairMeasure::kLongestEdge;
   options.mixed.rounds = 0;
   options.smoothing.sweeps = 10;
@@ -19,6 +20,7 @@ Mesh make_mixed(Mesh&& triangles, const NodedLines& lines, const MixedOptions& o
                 const Progress& progress) {
   Mesh mesh = std::move(triangles);
   progress.report("pairing", 0);
+  align_fronts(mesh, lines, options.fronts, report.fronts, progress);
   const Pairing pairing =
       pair_triangles(mesh, ConstraintTags::of(mesh), options.pairing, report.pairing, progress);
   mesh = merge_pairs(std::move(mesh), pairing);

@@ -10,6 +10,7 @@
 
 #include "engine/base/progress.hpp"
 #include "engine/mesh/constraint.hpp"
+#include "kernels/cluster/fronts.hpp"
 #include "kernels/cluster/pairing.hpp"
 #include "kernels/cluster/rearrange.hpp"
 #include "kernels/cluster/subdivide.hpp"
@@ -20,6 +21,7 @@
 namespace quarry {
 
 struct MixedOptions {
+  FrontOptions fronts{.steps = 0};
   PairingOptions pairing;
   RearrangeOptions rearrange;
   // How often the mixed mesh is recut and then smoothed; 0: pairing alone, as published.
@@ -36,10 +38,11 @@ struct QuadOptions {
   OptimiseOptions optimise;
 };
 
-// The published procedure: clusters by longest edge, ten sweeps of smoothing.
+// The published procedure: alignment fronts, clusters by longest edge, ten sweeps of smoothing.
 [[nodiscard]] QuadOptions paper_quad_options();
 
 struct MixedReport {
+  FrontReport fronts;
   PairingReport pairing;
   std::vector<PassReport> rearrange;                   // one a round
   std::vector<SweepReport> smoothing, square_corners;  // one a round
