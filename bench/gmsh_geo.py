@@ -60,7 +60,7 @@ def without_dead_ends(points, edges, keep):
 
 
 def trace_loops(points, edges, keep):
-    """Closed walks with their face on the left, as lists of signed edge numbers from 1; bridges are met twice by one walk."""
+    """Closed walks, their face on the left, as lists of signed edge numbers from 1; one walk meets a bridge twice."""
     around = defaultdict(list)
     for k, (a, b) in enumerate(edges):
         if keep[k]:

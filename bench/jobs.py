@@ -1,7 +1,7 @@
 """Runs whole processes and says what they took: the ground that bench/maps.py stands on.
 
-On Linux the peak memory of a process starts at what its parent held when it was started. So jobs are started by a shell, which is
-small, and what needs numpy (the checkers) runs as a process of its own.
+On Linux the peak memory of a process starts at what its parent held when it was started. So jobs are started by a
+shell, which is small, and what needs numpy (the checkers) runs as a process of its own.
 """
 import dataclasses
 import hashlib
@@ -98,9 +98,9 @@ class Referee:
     def section(self, mesh, lines, report, all_quad=True):
         options = load_json(report)["options"]
         near = options["snap"] + options["min-edge"] + options["tolerance"]
-        extra = ["--all-quad"] if all_quad else []
-        return self.call("section.py", mesh, "--lines", lines, "--near", repr(near), "--report", report,
-                         "--max-aspect", 12, *extra)
+        # Aspect is bounded for quads alone: a triangle in a narrow wedge is as long as the wedge is narrow.
+        extra = ["--all-quad", "--max-aspect", 12] if all_quad else []
+        return self.call("section.py", mesh, "--lines", lines, "--near", repr(near), "--report", report, *extra)
 
     def quality(self, mesh):
         return self.call("planar_quality.py", mesh)

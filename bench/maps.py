@@ -5,7 +5,7 @@
 
 --data      folder with planar/NAME.lines.geojson (the maps are not part of this repository)
 --referee   folder with section.py and planar_quality.py, independent checkers; without it those columns stay empty
---tables    measures only these, and takes the others from the measurements that --keep holds
+--tables    measures only these, and takes the others from the measurements that --keep holds; "": only writes the page
 --quick     small sizes, one run each, tables to stdout: to see that everything works
 --keep      the measurements as JSON; default out/maps.json (out/maps_quick.json)
 
@@ -23,8 +23,8 @@ import os
 import shutil
 import tempfile
 
-import gmsh_geo
-import results
+import page
+from gmsh_peer import prepare_gmsh
 from jobs import Referee, Run, digest, load_json, machine_text, median_run, run, say
 
 MAPS = ("kb11_traces", "hastholmen_traces", "souter_all", "lineaments_200k", "section_model_a1_x2500")
@@ -193,78 +193,12 @@ def table_f(bench):
     rows = []
     for division in bench.sizes:
         for label, extra in (("four triangles", ("--start", start)), ("4-8", ())):
-            done, mesh, report = bench.mesh(name, division, label.replace(" ", "_"), 1, extra, 1200, ["--boundary", "box"])
+            done, mesh, report = bench.mesh(name, division, label.replace(" ", "_"), 1, extra,
+                                            boundary=["--boundary", "box"])
             row = {"start": label, "division": division, **facts(done, report)}
             if done.code == 0:
                 row.update(bench.judged(name, mesh, report))
             rows.append(row)
-    return rows
-
-
-# gmsh's ways to quadrilaterals only: (what it does, shape of the .geo, edge length as a multiple of H, options). Where
-# it splits faces of 2H, its quads have edges of about H. -bin, -v 1 and straight second-order edges save it time.
-GMSH_WAYS = (
-    ("each triangle to three quads", "faces", 2, {"Algorithm": 5, "SubdivisionAlgorithm": 1, "SecondOrderLinear": 1}),
-    ("the same, as many quads as quarry", "faces", 0,
-     {"Algorithm": 5, "SubdivisionAlgorithm": 1, "SecondOrderLinear": 1}),
-    ("pairs and triangles to four and three", "faces", 2,
-     {"Algorithm": 5, "RecombineAll": 1, "RecombinationAlgorithm": 0, "SubdivisionAlgorithm": 1,
-      "SecondOrderLinear": 1}),
-    ("simple full quad", "faces", 1, {"Algorithm": 6, "RecombineAll": 1, "RecombinationAlgorithm": 2}),
-    ("full quad; loses the dead ends, so without them", "backbone", 1,
-     {"Algorithm": 6, "RecombineAll": 1, "RecombinationAlgorithm": 3}),
-)
-
-
-def gmsh_command(geo, target, length, options, fast):
-    numbers = [part for key, value in options.items() for part in ("-setnumber", "Mesh." + key, str(value))]
-    # The checkers read ASCII; the timed runs write binary, which is faster.
-    return ["gmsh", "-2", geo, "-setnumber", "h", repr(length), *numbers, "-nt", "1", "-o", target,
-            *(["-bin", "-v", "1"] if fast else [])]
-
-
-def gmsh_size(target):
-    """Quads and triangles in a .msh 4.1 in ASCII."""
-    counts, inside = {}, False
-    with open(target) as file:
-        for line in file:
-            if line.startswith("$Elements"):
-                inside, left = True, -1
-            elif line.startswith("$EndElements"):
-                break
-            elif inside and left < 0:
-                left = 0
-            elif inside and left == 0:
-                _, _, kind, left = map(int, line.split())
-                counts[kind] = counts.get(kind, 0) + left
-            elif inside:
-                left -= 1
-    return counts.get(3, 0), counts.get(2, 0)
-
-
-def prepare_gmsh(bench, name, division, quads):
-    """Every way once, in ASCII, for its counts and quality -> rows, and the commands to be timed."""
-    size, clean = bench.size(name, division), bench.path("clean.geojson")
-    run([bench.quarry, "clean", bench.lines(name), *bench.boundary(name), "--size", f"{size:.12g}", "-o", clean,
-         "--quiet"], bench.folder)
-    rows = []
-    for label, shape, factor, options in GMSH_WAYS:
-        geo, target = bench.path(shape + ".geo"), bench.path("gmsh.msh")
-        gmsh_geo.write_geo(clean, geo, size, shape)
-        # As many quads: they grow with the inverse square of the edge length.
-        length = factor * size if factor else 2 * size * (rows[0]["quads"] / quads) ** 0.5
-        done = run(gmsh_command(geo, target, length, options, False), bench.folder, 300)
-        row = {"way": label, "shape": shape, "length": length / size, "options": options}
-        rows.append(row)
-        say(f"gmsh, {label}: {done.wall:.2f} s" + ("" if done.code == 0 else f", {done.why}"))
-        if done.code != 0:
-            row["error"] = done.why
-            continue
-        row["quads"], row["triangles"] = gmsh_size(target)
-        if bench.referee.there:
-            quality = bench.referee.quality(target)
-            row["quality"] = {**quality.get("quad", {}), "irregular_pct": quality["valence"]["irregular_pct"]}
-        row["command"] = gmsh_command(geo, target, length, options, True)
     return rows
 
 
@@ -286,7 +220,8 @@ def table_d(bench):
                 say(f"gmsh, {row['way']}: {runs[row['way']][-1].wall:.2f} s")
     medians = {key: median_run(done) for key, done in runs.items()}
     for threads in (1, 2):
-        medians[f"quarry {threads}"].peak = load_json(bench.path(name, division, f"speed_{threads}.json"))["peak_memory_bytes"]
+        job = load_json(bench.path(name, division, f"speed_{threads}.json"))
+        medians[f"quarry {threads}"].peak = job["peak_memory_bytes"]
     for row in peers:
         row.pop("command", None)
         if row["way"] in medians:
@@ -341,6 +276,8 @@ def main():
     os.makedirs(os.path.dirname(arguments.keep) or ".", exist_ok=True)
     with tempfile.TemporaryDirectory() as folder:
         bench = Bench(arguments, folder)
+        if set("AD") & set(arguments.tables):
+            kept["repeat"] = bench.repeat
         for letter in arguments.tables:
             say(f"table {letter}")
             kept[letter] = TABLES[letter](bench)
@@ -348,9 +285,9 @@ def main():
             with open(arguments.keep, "w") as file:
                 json.dump(kept, file, indent=1)
     if arguments.quick:
-        print(results.page(kept, ""))
+        print(page.page_text(kept, ""))
     else:
-        results.write(arguments.out, kept)
+        page.write(arguments.out, kept)
         say(f"wrote {arguments.out}")
 
 
