@@ -157,9 +157,9 @@ void fill_section(MeshArguments& arguments) {
   if (section.inputs.empty())
     throw Error(ErrorKind::kUsage, "no input file is given; see quarry mesh --help");
   if (arguments.output.empty()) throw Error(ErrorKind::kUsage, "no output is given: name it with -o OUT.vtu");
-  if (!(section.max_elements >= 1))
-    throw Error(ErrorKind::kUsage,
-                fmt::format("--max-elements is {}: it must be 1 or more", section.max_elements));
+  if (!(section.max_elements >= 1 && section.max_elements <= kMostElements))
+    throw Error(ErrorKind::kUsage, fmt::format("--max-elements is {}: it must be from 1 to {:g}",
+                                               section.max_elements, kMostElements));
   refuse_what_is_not_built(arguments);
   section.elements = arguments.elements == "tri" ? Elements::kTriangle : Elements::kQuad;
   section.preset = arguments.preset == "paper" ? Preset::kPaper : Preset::kDefault;

@@ -50,6 +50,8 @@ TEST(CommandLine, MistakesAreToldInOneLine) {
   expect_usage_error({"mesh", kDemoSection, "-o", "out.vtu", "--size", "5", "--orient", "north"}, "north");
   expect_usage_error({"mesh", kDemoSection, "-o", "out.vtu", "--size", "5", "--max-elements", "0"},
                      "--max-elements");
+  expect_usage_error({"mesh", kDemoSection, "-o", "out.vtu", "--size", "5", "--max-elements", "1e10"},
+                     "--max-elements");
   expect_usage_error({"clean", kDemoSection, "-o", "out.geojson"}, "--snap");
 }
 
