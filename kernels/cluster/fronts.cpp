@@ -99,8 +99,8 @@ class Fronts {
       ++report.steps;
       label(front);
       report.splits += run_pass(mesh_, HalveOperation(tags_, lines_), front, {}, progress).won;
-      // All new vertices are midpoints of the front.
-      labelled_.resize(mesh_.vertex_slots(), 1);
+      // Midpoints bear no label: next to them lie the triangles just halved.
+      labelled_.resize(mesh_.vertex_slots(), 0);
       const std::vector<EdgeName> swapped = edges_to_swap();
       front = edges_opposite_labels();
       report.swaps += swap(swapped, front, progress);
@@ -142,8 +142,7 @@ class Fronts {
   [[nodiscard]] std::vector<EdgeName> first_front() const {
     return edges_where([&](SideId s) {
       if (!tags_.constrained(s)) return false;
-      const SideId across = mesh_.neighbour(s);
-      return longest_of_its_face(mesh_, s) || (across.valid() && longest_of_its_face(mesh_, across));
+      return longest_of_its_face(mesh_, s) && (!mesh_.neighbour(s).valid() || longest_of_both(s));
     });
   }
   [[nodiscard]] std::vector<EdgeName> edges_opposite_labels() const {
