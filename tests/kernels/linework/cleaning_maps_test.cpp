@@ -5,7 +5,7 @@
 
 #include "engine/base/error.hpp"
 #include "io/lines/line_reader.hpp"
-#include "line_samples.hpp"
+#include "tests/kernels/linework/line_samples.hpp"
 
 namespace quarry {
 namespace {

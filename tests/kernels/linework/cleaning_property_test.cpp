@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "engine/parallel/parallel.hpp"
-#include "line_samples.hpp"
-#include "random_lines.hpp"
+#include "tests/kernels/linework/line_samples.hpp"
+#include "tests/kernels/linework/random_lines.hpp"
 
 namespace quarry {
 namespace {

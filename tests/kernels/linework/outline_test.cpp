@@ -4,7 +4,7 @@
 
 #include "engine/base/error.hpp"
 #include "kernels/linework/clean_lines.hpp"
-#include "line_samples.hpp"
+#include "tests/kernels/linework/line_samples.hpp"
 
 namespace quarry {
 namespace {

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "engine/base/random.hpp"
-#include "line_samples.hpp"
+#include "tests/kernels/linework/line_samples.hpp"
 
 namespace quarry {
 
