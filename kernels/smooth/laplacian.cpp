@@ -12,26 +12,11 @@ class LaplacianMover {
 
   [[nodiscard]] bool may_move(VertexId v) const { return slide_.movable(v); }
 
-  bool wants(const Mesh& mesh, VertexId v) {
-    Vec2 sum;
-    double count = 0;
-    double shortest = std::numeric_limits<double>::infinity();
-    const Vec2 here = mesh.point(v);
-    const auto join = [&](VertexId other) {
-      const Vec2 edge = mesh.point(other) - here;
-      sum = sum + edge;
-      count += 1;
-      shortest = std::min(shortest, squared_length(edge));
-    };
-    const SideId first = mesh.side_of(v);
-    for (SideId s = first; s.valid();) {
-      join(mesh.target(s));
-      const SideId back = mesh.previous(s);
-      s = mesh.neighbour(back);
-      if (!s.valid()) join(mesh.origin(back));
-      if (s == first) break;
-    }
-    return far_enough(slide_.allowed(v, here + (1.0 / count) * sum) - here, shortest);
+  void first_look(const Mesh& mesh, WakeList& list) const {
+    parallel::for_each(mesh.vertex_slots(), [&](std::size_t i) {
+      const VertexId v(i);
+      if (!list.frozen(v) && is_off_target(mesh, v)) list.wake(v);
+    });
   }
 
   bool move(Mesh& mesh, VertexId v) {
@@ -54,6 +39,28 @@ class LaplacianMover {
   }
 
  private:
+  [[nodiscard]] bool is_off_target(const Mesh& mesh, VertexId v) const {
+    Vec2 sum;
+    double count = 0;
+    double shortest = std::numeric_limits<double>::infinity();
+    const Vec2 here = mesh.point(v);
+    const auto join = [&](VertexId other) {
+      const Vec2 edge = mesh.point(other) - here;
+      sum = sum + edge;
+      count += 1;
+      shortest = std::min(shortest, squared_length(edge));
+    };
+    const SideId first = mesh.side_of(v);
+    for (SideId s = first; s.valid();) {
+      join(mesh.target(s));
+      const SideId back = mesh.previous(s);
+      s = mesh.neighbour(back);
+      if (!s.valid()) join(mesh.origin(back));
+      if (s == first) break;
+    }
+    return far_enough(slide_.allowed(v, here + (1.0 / count) * sum) - here, shortest);
+  }
+
   static constexpr double kFloor = 0.25;
 
   [[nodiscard]] bool far_enough(Vec2 offset, double shortest_squared) const {

@@ -18,10 +18,8 @@ class CornerMover {
 
   [[nodiscard]] bool may_move(VertexId v) const { return slide_.movable(v); }
 
-  bool wants(const Mesh& mesh, VertexId v) {
-    star_.gather(mesh, v);
-    star_.weigh();
-    return star_.worst() < floor_;
+  void first_look(const Mesh& mesh, WakeList& list) const {
+    wake_corners(mesh, list, [&](FaceId f) { return Star::measure_of(mesh, f) < floor_; });
   }
 
   bool move(Mesh& mesh, VertexId v) {

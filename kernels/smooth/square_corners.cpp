@@ -76,10 +76,8 @@ class SquaringMover {
 
   [[nodiscard]] bool may_move(VertexId v) const { return slide_.movable(v); }
 
-  bool wants(const Mesh& mesh, VertexId v) {
-    star_.gather(mesh, v);
-    star_.weigh();
-    return star_.worst() < content_;
+  void first_look(const Mesh& mesh, WakeList& list) const {
+    wake_corners(mesh, list, [&](FaceId f) { return Star::measure_of(mesh, f) < content_; });
   }
 
   bool move(Mesh& mesh, VertexId v) {

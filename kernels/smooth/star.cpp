@@ -56,6 +56,38 @@ double Star::measure(const StarFace& face, Vec2 offset) {
   return face.quad ? measure_quad(face, out, back) : measure_triangle(face, out, back);
 }
 
+namespace {
+
+// Fills in what a face looks like from a corner; s starts there.
+void look(const Mesh& mesh, SideId s, Vec2 place, StarFace& face) {
+  const SideId forward = mesh.next(s);
+  face.quad = mesh.corner_count(s.face()) == 4;
+  face.at_next = mesh.point(mesh.origin(forward));
+  face.at_previous = mesh.point(mesh.origin(mesh.previous(s)));
+  face.at_opposite = face.quad ? mesh.point(mesh.target(forward)) : face.at_previous;
+  face.next = face.at_next - place;
+  face.previous = face.at_previous - place;
+  face.far_next = face.at_opposite - face.at_next;
+  face.far_previous = face.quad ? face.at_previous - face.at_opposite : face.far_next;
+  face.far_next_squared = squared_length(face.far_next);
+  face.far_previous_squared = squared_length(face.far_previous);
+}
+
+double far_corner(const StarFace& face) {
+  return face.quad ? signed_square(cross(face.far_next, face.far_previous),
+                                   face.far_next_squared * face.far_previous_squared)
+                   : 1.0;
+}
+
+}  // namespace
+
+double Star::measure_of(const Mesh& mesh, FaceId f) {
+  StarFace face;
+  look(mesh, SideId(f, 0), mesh.point(mesh.corner(f, 0)), face);
+  face.far_corner = far_corner(face);
+  return measure(face, {});
+}
+
 void Star::gather(const Mesh& mesh, VertexId v) {
   place_ = mesh.point(v);
   umbrella_ = {};
@@ -72,22 +104,11 @@ void Star::gather(const Mesh& mesh, VertexId v) {
   };
   const SideId first = mesh.side_of(v);
   for (SideId s = first; s.valid();) {
-    const SideId forward = mesh.next(s);
-    const SideId back = mesh.previous(s);
     if (count_ == faces_.size()) faces_.emplace_back();
     StarFace& face = faces_[count_++];
-    face.quad = mesh.corner_count(s.face()) == 4;
-    face.at_next = mesh.point(mesh.origin(forward));
-    face.at_previous = mesh.point(mesh.origin(back));
-    face.at_opposite = face.quad ? mesh.point(mesh.target(forward)) : face.at_previous;
-    face.next = face.at_next - place_;
-    face.previous = face.at_previous - place_;
-    face.far_next = face.at_opposite - face.at_next;
-    face.far_previous = face.quad ? face.at_previous - face.at_opposite : face.far_next;
-    face.far_next_squared = squared_length(face.far_next);
-    face.far_previous_squared = squared_length(face.far_previous);
+    look(mesh, s, place_, face);
     join(face.next);
-    s = mesh.neighbour(back);
+    s = mesh.turn_left(s);
     if (!s.valid()) join(face.previous);
     if (s == first) break;
   }
@@ -98,9 +119,7 @@ void Star::gather(const Mesh& mesh, VertexId v) {
 void Star::weigh() {
   worst_ = 1;
   for (StarFace& face : std::span(faces_).first(count_)) {
-    face.far_corner = face.quad ? signed_square(cross(face.far_next, face.far_previous),
-                                                face.far_next_squared * face.far_previous_squared)
-                                : 1.0;
+    face.far_corner = far_corner(face);
     face.measure = measure(face, {});
     worst_ = std::min(worst_, face.measure);
   }

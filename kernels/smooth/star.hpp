@@ -58,6 +58,8 @@ class Star {
   [[nodiscard]] double badness_at(Vec2 offset) const;
   // True if no face would fall below the bar that is above it now, nor any other become worse.
   [[nodiscard]] bool keeps_faces(Vec2 offset, double bar) const;
+  // The measure of one face, without a star.
+  [[nodiscard]] static double measure_of(const Mesh& mesh, FaceId f);
   // True if every corner of the star turns left were the vertex at p (exact).
   [[nodiscard]] bool valid_at(Vec2 p) const;
 

@@ -57,9 +57,19 @@ class WakeList {
 
 // A mover is copied for each chunk, so that it may own scratch memory, and has
 //   bool may_move(VertexId) const;
-//   bool wants(const Mesh&, VertexId);      // first look at a vertex that may move: is it worth a visit?
+//   void first_look(const Mesh&, WakeList&) const;  // wakes who is worth a visit in the first sweep
 //   bool move(Mesh&, VertexId);             // true if the vertex moved; reads its star, writes itself
 inline constexpr std::size_t kSweepChunk = 256;
+
+// Wakes the corners of the faces for which wants(FaceId) holds.
+template <class Wants>
+void wake_corners(const Mesh& mesh, WakeList& list, const Wants& wants) {
+  parallel::for_each(mesh.face_slots(), [&](std::size_t i) {
+    const FaceId f(i);
+    if (!mesh.alive(f) || !wants(f)) return;
+    for (int k = 0; k < mesh.corner_count(f); ++k) list.wake(mesh.corner(f, k));
+  });
+}
 
 template <class Mover>
 SweepReport run_sweeps(Mesh& mesh, VertexColouring& colouring, const Mover& mover, int sweeps,
@@ -67,11 +77,7 @@ SweepReport run_sweeps(Mesh& mesh, VertexColouring& colouring, const Mover& move
   SweepReport report;
   if (sweeps <= 0) return report;
   WakeList list(mesh.vertex_slots(), [&](VertexId v) { return mover.may_move(v); });
-  parallel::for_each_chunk(mesh.vertex_slots(), 4 * kSweepChunk, [&](std::size_t begin, std::size_t end) {
-    Mover own = mover;
-    for (std::size_t i = begin; i < end; ++i)
-      if (!list.frozen(VertexId(i)) && own.wants(std::as_const(mesh), VertexId(i))) list.wake(VertexId(i));
-  });
+  mover.first_look(std::as_const(mesh), list);
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     progress.throw_if_cancelled();
     const std::vector<std::uint32_t> active = list.take();
