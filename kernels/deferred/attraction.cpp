@@ -20,4 +20,10 @@ bool acceptable(const Attraction& attraction, double quality_limit, double disto
          attraction.distortion() <= distortion_limit;
 }
 
+bool tolerable(const Attraction& attraction) {
+  if (!attraction.vertex.valid()) return false;
+  return (attraction.after > 0.02 && attraction.after > 0.2 * attraction.before) ||
+         attraction.after > 0.9 * attraction.before;
+}
+
 }  // namespace quarry::deferred

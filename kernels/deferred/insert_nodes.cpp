@@ -32,7 +32,8 @@ bool NodeInsertion::propose(const Mesh& mesh, NodeId node, Cavity& cavity, Plan&
   }
   const std::uint32_t tries = state_.node_tries[node];
   const double quality = state_.quality_limit(state_.options.min_quality, tries);
-  if (acceptable(best, quality, state_.distortion_limit(tries))) return propose_attract(mesh, best, cavity, plan);
+  if (acceptable(best, quality, state_.distortion_limit(tries)))
+    return propose_attract(mesh, best, cavity, plan);
   if (tries < state_.options.max_tries && propose_refine(mesh, face, cavity, plan)) return true;
   return propose_fallback(mesh, node, location.side, location.place == Place::kEdge, best, cavity, plan);
 }
@@ -45,7 +46,8 @@ bool NodeInsertion::propose_take(const Mesh& mesh, VertexId v, Cavity& cavity, P
   return true;
 }
 
-bool NodeInsertion::propose_attract(const Mesh& mesh, const Attraction& best, Cavity& cavity, Plan& plan) const {
+bool NodeInsertion::propose_attract(const Mesh& mesh, const Attraction& best, Cavity& cavity,
+                                    Plan& plan) const {
   plan.step = Step::kAttract;
   plan.vertex = best.vertex;
   claim_two_rings(mesh, best.vertex, cavity);
@@ -55,7 +57,8 @@ bool NodeInsertion::propose_attract(const Mesh& mesh, const Attraction& best, Ca
 bool NodeInsertion::propose_refine(const Mesh& mesh, FaceId face, Cavity& cavity, Plan& plan) const {
   const SideId longest = longest_side(mesh, face);
   const double floor2 = state_.floor_length * state_.floor_length;
-  if (squared_length(mesh.point(mesh.target(longest)) - mesh.point(mesh.origin(longest))) < floor2) return false;
+  if (squared_length(mesh.point(mesh.target(longest)) - mesh.point(mesh.origin(longest))) < floor2)
+    return false;
   const SideId side = edge_to_split_first(mesh, state_, longest);
   const Vec2 m = split_point(mesh, side);
   if (!can_split_edge(mesh, side, m)) return false;
@@ -67,14 +70,13 @@ bool NodeInsertion::propose_refine(const Mesh& mesh, FaceId face, Cavity& cavity
   return true;
 }
 
-// A free corner may still do; else the face that holds the node is split there, or the one of its edges where that
-// leaves better triangles: a node beside an edge would leave a flat one. One of these is always possible: the node lies
-// strictly inside the face, or on the edge.
-bool NodeInsertion::propose_fallback(const Mesh& mesh, NodeId node, SideId side, bool on_edge, const Attraction& best,
-                                     Cavity& cavity, Plan& plan) const {
+// A free corner may still do; else the face that holds the node is split there, or the one of its edges where
+// that leaves better triangles: a node beside an edge would leave a flat one. One of these is always
+// possible: the node lies strictly inside the face, or on the edge.
+bool NodeInsertion::propose_fallback(const Mesh& mesh, NodeId node, SideId side, bool on_edge,
+                                     const Attraction& best, Cavity& cavity, Plan& plan) const {
   plan.fallback = true;
-  if (best.vertex.valid() && best.after > 0.02 && best.after > 0.2 * best.before)
-    return propose_attract(mesh, best, cavity, plan);
+  if (tolerable(best)) return propose_attract(mesh, best, cavity, plan);
   const Vec2 p = state_.lines.nodes[node];
   plan.point = p;
   plan.support = Support::at(node);
@@ -89,7 +91,8 @@ bool NodeInsertion::propose_fallback(const Mesh& mesh, NodeId node, SideId side,
   double worst = on_edge ? 2 : worst_of_face_split(mesh, side.face(), p);
   for (int k = 0; k < 3 && !on_edge; ++k) {
     const SideId edge(side.face(), k);
-    if (state_.tags.constrained(edge) || !mesh.neighbour(edge).valid() || !can_split_edge(mesh, edge, p)) continue;
+    if (state_.tags.constrained(edge) || !mesh.neighbour(edge).valid() || !can_split_edge(mesh, edge, p))
+      continue;
     const double quality = worst_of_edge_split(mesh, edge, p);
     if (quality <= worst) continue;
     worst = quality;

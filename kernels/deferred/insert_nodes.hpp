@@ -7,7 +7,8 @@
 
 namespace quarry::deferred {
 
-// One step towards a node: take the vertex that lies there, attract one, refine, or put the node in by a split.
+// One step towards a node: take the vertex that lies there, attract one, refine, or put the node in by a
+// split.
 class NodeInsertion {
  public:
   using Item = NodeId;
@@ -15,16 +16,17 @@ class NodeInsertion {
   struct Plan {
     Step step;
     bool fallback;
-    VertexId vertex;   // to take or attract; else a corner of the face that holds the node
-    SideId side;       // to split
-    Vec2 point;        // where the new vertex goes
-    Support support;   // of the new vertex
+    VertexId vertex;  // to take or attract; else a corner of the face that holds the node
+    SideId side;      // to split
+    Vec2 point;       // where the new vertex goes
+    Support support;  // of the new vertex
   };
 
   explicit NodeInsertion(State& state) : state_(state) {}
 
   bool propose(const Mesh& mesh, NodeId node, Cavity& cavity, Plan& plan) const;
-  void apply(MeshEditor& editor, NodeId node, const Plan& plan, NewIds ids, FollowUps<NodeId>& follow_ups) const;
+  void apply(MeshEditor& editor, NodeId node, const Plan& plan, NewIds ids,
+             FollowUps<NodeId>& follow_ups) const;
 
  private:
   bool propose_take(const Mesh& mesh, VertexId v, Cavity& cavity, Plan& plan) const;

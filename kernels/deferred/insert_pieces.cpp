@@ -17,8 +17,11 @@ namespace {
 
 // A target nearer to the front than this share of the crossing would make a short first edge.
 constexpr double kNearestTarget = 0.6;
-// A forced split that leaves triangles flatter than this is not made: the piece is retriangulated in.
-constexpr double kWorstOfForcedSplit = 1e-3;
+// A forced split is made if its triangles keep at least this height, as a share of the spacing: far above
+// what rounding takes away. Else the piece is retriangulated in.
+constexpr double kLowestForcedHeight = 1e-6;
+// A bridge whose worst triangle is flatter than this, by Lo's measure, is not built.
+constexpr double kWorstOfBridge = 1e-6;
 
 // Marks an edge on both its faces.
 void constrain(MeshEditor& editor, const State& state, VertexId a, VertexId b) {
@@ -51,8 +54,10 @@ Exit find_exit(const Mesh& mesh, const State& state, PieceId piece) {
       const double right = orient2d(p, q, mesh.point(a));
       const double left = orient2d(p, q, mesh.point(b));
       const auto ahead = [&](VertexId u) { return dot(mesh.point(u) - p, q - p) > 0; };
-      if (right == 0 && ahead(a)) exit = {Exit::Kind::kVertex, s, mesh.point(a)};
-      else if (left == 0 && ahead(b)) exit = {Exit::Kind::kVertex, back, mesh.point(b)};
+      if (right == 0 && ahead(a))
+        exit = {Exit::Kind::kVertex, s, mesh.point(a)};
+      else if (left == 0 && ahead(b))
+        exit = {Exit::Kind::kVertex, back, mesh.point(b)};
       else if (right < 0 && left > 0) {
         const double share = right / (right - left);
         exit = {Exit::Kind::kEdge, mesh.next(s), mesh.point(a) + share * (mesh.point(b) - mesh.point(a))};
@@ -105,8 +110,9 @@ bool PieceInsertion::propose(const Mesh& mesh, PieceId piece, Cavity& cavity, Pl
     cavity.claim(front);
     return true;
   }
-  if (state_.piece_steps[piece] > state_.most_steps(piece)) return propose_rebuild(mesh, piece, cavity, plan);
   const std::uint32_t tries = state_.piece_tries[piece];
+  if (state_.piece_steps[piece] > state_.most_steps(piece))
+    return propose_fallback(mesh, piece, exit, Attraction(), cavity, plan);
   const Attraction best = best_attraction(mesh, piece, exit);
   const double quality = state_.quality_limit(state_.min_quality[piece], tries);
   if (acceptable(best, quality, state_.distortion_limit(tries))) {
@@ -147,7 +153,8 @@ bool PieceInsertion::propose_reached(const Mesh& mesh, PieceId piece, const Exit
 
 bool PieceInsertion::propose_refine(const Mesh& mesh, SideId crossed, Cavity& cavity, Plan& plan) const {
   const double floor2 = state_.floor_length * state_.floor_length;
-  if (squared_length(mesh.point(mesh.target(crossed)) - mesh.point(mesh.origin(crossed))) < floor2) return false;
+  if (squared_length(mesh.point(mesh.target(crossed)) - mesh.point(mesh.origin(crossed))) < floor2)
+    return false;
   const SideId side = edge_to_split_first(mesh, state_, crossed);
   const Vec2 m = split_point(mesh, side);
   if (!can_split_edge(mesh, side, m)) return false;
@@ -159,10 +166,10 @@ bool PieceInsertion::propose_refine(const Mesh& mesh, SideId crossed, Cavity& ca
   return true;
 }
 
-bool PieceInsertion::propose_fallback(const Mesh& mesh, PieceId piece, const Exit& exit, const Attraction& best,
-                                      Cavity& cavity, Plan& plan) const {
+bool PieceInsertion::propose_fallback(const Mesh& mesh, PieceId piece, const Exit& exit,
+                                      const Attraction& best, Cavity& cavity, Plan& plan) const {
   plan.fallback = true;
-  if (best.vertex.valid() && best.after > 0.02 && best.after > 0.2 * best.before) {
+  if (tolerable(best)) {
     plan.step = Step::kAttract;
     plan.vertex = best.vertex;
     plan.point = best.target;
@@ -171,7 +178,7 @@ bool PieceInsertion::propose_fallback(const Mesh& mesh, PieceId piece, const Exi
   }
   // Splitting at the crossing leaves one crossed edge less, so it can be repeated only so often.
   if (can_split_edge(mesh, exit.side, exit.point) &&
-      worst_of_edge_split(mesh, exit.side, exit.point) > kWorstOfForcedSplit) {
+      lowest_of_edge_split(mesh, exit.side, exit.point) > kLowestForcedHeight * state_.options.spacing) {
     plan.step = Step::kSplitHere;
     plan.side = exit.side;
     plan.point = exit.point;
@@ -179,17 +186,27 @@ bool PieceInsertion::propose_fallback(const Mesh& mesh, PieceId piece, const Exi
     claim_split_edge(mesh, exit.side, cavity);
     return true;
   }
-  return propose_rebuild(mesh, piece, cavity, plan);
+  return propose_bridge_or_rebuild(mesh, piece, cavity, plan);
 }
 
-bool PieceInsertion::propose_rebuild(const Mesh& mesh, PieceId piece, Cavity& cavity, Plan& plan) const {
-  plan.step = Step::kRebuild;
+bool PieceInsertion::propose_bridge_or_rebuild(const Mesh& mesh, PieceId piece, Cavity& cavity,
+                                               Plan& plan) const {
   plan.fallback = true;
+  const Bridge bridge = best_bridge(mesh, state_, piece);
+  if (bridge.worst > kWorstOfBridge) {
+    plan.step = Step::kBridge;
+    plan.point = bridge.target;
+    plan.faces = bridge.faces;
+    claim_bridge(mesh, state_, piece, bridge, cavity);
+    return true;
+  }
+  plan.step = Step::kRebuild;
   claim_crossed(mesh, state_, piece, cavity);
   return true;
 }
 
-void PieceInsertion::advance(MeshEditor& editor, PieceId piece, VertexId to, FollowUps<PieceId>& follow_ups) const {
+void PieceInsertion::advance(MeshEditor& editor, PieceId piece, VertexId to,
+                             FollowUps<PieceId>& follow_ups) const {
   constrain(editor, state_, state_.front[piece], to);
   state_.front[piece] = to;
   state_.piece_tries[piece] = 0;
@@ -231,13 +248,19 @@ void PieceInsertion::apply(MeshEditor& editor, PieceId piece, const Plan& plan, 
       follow_ups.push_back(piece);
       return;
     case Step::kSplitHere:
-      advance(editor, piece, split_edge(editor, state_.tags, plan.side, plan.point, plan.support, ids), follow_ups);
+      advance(editor, piece, split_edge(editor, state_.tags, plan.side, plan.point, plan.support, ids),
+              follow_ups);
+      return;
+    case Step::kBridge:
+      advance(editor, piece, build_bridge(editor, state_, piece, {plan.faces, plan.point, 0}, ids),
+              follow_ups);
       return;
     case Step::kRebuild: {
       ++events.rebuilt;
       const VertexId reached = rebuild_crossed(editor, state_, piece);
       if (!reached.valid()) return;
-      if (state_.tags.support[reached].is_free()) editor.set(state_.tags.support, reached, Support::on(piece));
+      if (state_.tags.support[reached].is_free())
+        editor.set(state_.tags.support, reached, Support::on(piece));
       advance(editor, piece, reached, follow_ups);
       return;
     }

@@ -22,8 +22,8 @@ Location at_corner_or_edge(const Mesh& mesh, FaceId f, const double (&turn)[3]) 
 
 Location locate(const Mesh& mesh, VertexId start, Vec2 p) {
   FaceId f = mesh.side_of(start).face();
-  // Which of the sides that p is beyond is crossed first is drawn anew at each step: a walk that always takes the
-  // first can go round for ever where the mesh is not Delaunay.
+  // Which of the sides that p is beyond is crossed first is drawn anew at each step: a walk that always takes
+  // the first can go round for ever where the mesh is not Delaunay.
   for (std::uint32_t step = 0;; ++step) {
     const auto first = static_cast<int>(mix32(f.value() ^ mix32(step)) % 3);
     double turn[3];
@@ -57,15 +57,18 @@ VertexGrid::VertexGrid(const Mesh& mesh) : box_(mesh.box()) {
   }
   // Empty cells take the vertex of the one before, so that every look-up finds something.
   for (int sweep = 0; sweep < 2; ++sweep)
-    for (VertexId& cell_vertex : cells_) cell_vertex.valid() ? void(last = cell_vertex) : void(cell_vertex = last);
+    for (VertexId& cell_vertex : cells_)
+      cell_vertex.valid() ? void(last = cell_vertex) : void(cell_vertex = last);
 }
 
 std::size_t VertexGrid::cell_of(Vec2 p) const {
   const auto index = [](double value, double low, double extent, std::size_t count) {
     const double share = extent > 0 ? (value - low) / extent : 0;
-    return static_cast<std::size_t>(std::clamp(share * static_cast<double>(count), 0.0, static_cast<double>(count - 1)));
+    return static_cast<std::size_t>(
+        std::clamp(share * static_cast<double>(count), 0.0, static_cast<double>(count - 1)));
   };
-  return index(p.y, box_.low.y, box_.height(), rows_) * columns_ + index(p.x, box_.low.x, box_.width(), columns_);
+  return index(p.y, box_.low.y, box_.height(), rows_) * columns_ +
+         index(p.x, box_.low.x, box_.width(), columns_);
 }
 
 VertexId VertexGrid::near(Vec2 p) const { return cells_[cell_of(p)]; }

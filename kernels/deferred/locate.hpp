@@ -13,8 +13,9 @@ struct Location {
   SideId side;  // kFace: any side of the face; kEdge: the edge; kVertex: a side that starts there
 };
 
-// Walks from a vertex to the triangle that holds p (exact). kOutside: the walk left the mesh, which for a mesh whose
-// hull is convex means that p is outside. Where several triangles hold p (on an edge) either may be returned.
+// Walks from a vertex to the triangle that holds p (exact). kOutside: the walk left the mesh, which for a
+// mesh whose hull is convex means that p is outside. Where several triangles hold p (on an edge) either may
+// be returned.
 [[nodiscard]] Location locate(const Mesh& mesh, VertexId start, Vec2 p);
 
 // A vertex near any point, by a coarse grid over the mesh: where walks start.

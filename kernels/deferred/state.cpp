@@ -9,7 +9,8 @@ namespace quarry::deferred {
 namespace {
 
 // Directions of the pieces at a node, ascending by angle.
-std::vector<std::pair<double, PieceId>> directions_at(const NodedLines& lines, const PieceFinder& finder, NodeId node) {
+std::vector<std::pair<double, PieceId>> directions_at(const NodedLines& lines, const PieceFinder& finder,
+                                                      NodeId node) {
   std::vector<std::pair<double, PieceId>> result;
   for (const PieceId id : finder.at(node)) {
     const Piece& piece = lines.pieces[id];
@@ -44,7 +45,8 @@ State::State(const NodedLines& noded, const DeferredOptions& chosen, ConstraintT
       node_events(noded.nodes.size()),
       piece_events(noded.pieces.size()) {
   if (!options.wedge_relative) return;
-  // The best triangle in a wedge cannot be better than the isosceles one: a fixed limit would refine for ever.
+  // The best triangle in a wedge cannot be better than the isosceles one: a fixed limit would refine for
+  // ever.
   for (const NodeId node : IdRange<NodeId>(lines.nodes.size())) {
     const auto directions = directions_at(lines, finder, node);
     const std::size_t count = directions.size();
@@ -58,7 +60,8 @@ State::State(const NodedLines& noded, const DeferredOptions& chosen, ConstraintT
 }
 
 std::uint32_t State::most_steps(PieceId piece) const {
-  return 200 + static_cast<std::uint32_t>(std::min(1e8, 50 * distance(from(piece), to(piece)) / options.spacing));
+  return 5000 +
+         static_cast<std::uint32_t>(std::min(1e9, 5 * distance(from(piece), to(piece)) / floor_length));
 }
 
 double State::distortion_limit(std::uint32_t tries) const {

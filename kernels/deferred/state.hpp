@@ -1,5 +1,5 @@
-// What all steps of deferred insertion share: the lines, what has been inserted of each, and the patience spent.
-// Entries of a node or piece are written by the operation of that node or piece alone.
+// What all steps of deferred insertion share: the lines, what has been inserted of each, and the patience
+// spent. Entries of a node or piece are written by the operation of that node or piece alone.
 #pragma once
 
 #include <cstdint>
@@ -26,9 +26,9 @@ struct State {
   double floor_length;  // below it edges are split no more
 
   IdVector<NodeId, VertexId> vertex_of_node;
-  IdVector<NodeId, VertexId> near_node;         // where the search for a node starts
-  IdVector<PieceId, VertexId> front;            // the vertex up to which a piece is in the mesh
-  IdVector<PieceId, double> min_quality;        // limit that follows the wedges at the ends of a piece
+  IdVector<NodeId, VertexId> near_node;   // where the search for a node starts
+  IdVector<PieceId, VertexId> front;      // the vertex up to which a piece is in the mesh
+  IdVector<PieceId, double> min_quality;  // limit that follows the wedges at the ends of a piece
   IdVector<NodeId, std::uint32_t> node_tries;
   IdVector<PieceId, std::uint32_t> piece_tries;
   IdVector<PieceId, std::uint32_t> piece_steps;
@@ -38,7 +38,7 @@ struct State {
   [[nodiscard]] Vec2 from(PieceId piece) const { return lines.nodes[lines.pieces[piece].from]; }
   [[nodiscard]] Vec2 to(PieceId piece) const { return lines.nodes[lines.pieces[piece].to]; }
 
-  // Steps after which a piece is put in at once: many times what its length can need.
+  // Steps after which only fallbacks are left to a piece: many times what its length can need.
   [[nodiscard]] std::uint32_t most_steps(PieceId piece) const;
 
   // Limits of an attraction after some tries.

@@ -20,8 +20,9 @@ struct EdgeDiamond {
 // Claims what flip_edge touches: the four vertices of the diamond.
 void claim_flip(const Mesh& mesh, SideId s, Cavity& cavity);
 
-// Replaces the edge of s, a-b, by c-d. Face of s becomes (c, a, d), the one across (d, b, c). The edge must be
-// unconstrained and can_flip must hold; constraint bits of the other four sides are kept. Returns the side c -> d.
+// Replaces the edge of s, a-b, by c-d. Face of s becomes (c, a, d), the one across (d, b, c). The edge must
+// be unconstrained and can_flip must hold; constraint bits of the other four sides are kept. Returns the side
+// c -> d.
 SideId flip_edge(MeshEditor& editor, ConstraintTags tags, SideId s);
 
 }  // namespace quarry

@@ -1,6 +1,7 @@
 #include "kernels/local/split.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "engine/geometry/predicates.hpp"
 #include "kernels/quality/element.hpp"
@@ -64,16 +65,33 @@ bool can_split_edge(const Mesh& mesh, SideId s, Vec2 p) {
   return halves_turn_left(s) && (!t.valid() || halves_turn_left(t));
 }
 
-double worst_of_edge_split(const Mesh& mesh, SideId s, Vec2 p) {
-  double worst = 1;
+namespace {
+
+// Calls visit(a, b, c) with the corners of each triangle that splitting the edge of s at p would make.
+void for_each_part(const Mesh& mesh, SideId s, Vec2 p, const auto& visit) {
   for (const SideId side : {s, mesh.neighbour(s)}) {
     if (!side.valid()) continue;
-    const Vec2 a = mesh.point(mesh.origin(side));
-    const Vec2 b = mesh.point(mesh.target(side));
     const Vec2 c = mesh.point(mesh.origin(mesh.previous(side)));
-    worst = std::min({worst, lo_measure(a, p, c), lo_measure(p, b, c)});
+    visit(mesh.point(mesh.origin(side)), p, c);
+    visit(p, mesh.point(mesh.target(side)), c);
   }
+}
+
+}  // namespace
+
+double worst_of_edge_split(const Mesh& mesh, SideId s, Vec2 p) {
+  double worst = 1;
+  for_each_part(mesh, s, p, [&](Vec2 a, Vec2 b, Vec2 c) { worst = std::min(worst, lo_measure(a, b, c)); });
   return worst;
+}
+
+double lowest_of_edge_split(const Mesh& mesh, SideId s, Vec2 p) {
+  double lowest = std::numeric_limits<double>::infinity();
+  for_each_part(mesh, s, p, [&](Vec2 a, Vec2 b, Vec2 c) {
+    const double longest = std::max({distance(a, b), distance(b, c), distance(c, a)});
+    lowest = std::min(lowest, doubled_area(a, b, c) / longest);
+  });
+  return lowest;
 }
 
 double worst_of_face_split(const Mesh& mesh, FaceId f, Vec2 p) {
@@ -115,7 +133,8 @@ VertexId split_edge(MeshEditor& editor, ConstraintTags tags, SideId s, Vec2 p, S
 
 bool can_split_face(const Mesh& mesh, FaceId f, Vec2 p) {
   for (int i = 0; i < 3; ++i)
-    if (!(orient2d(mesh.point(mesh.corner(f, i)), mesh.point(mesh.corner(f, (i + 1) % 3)), p) > 0)) return false;
+    if (!(orient2d(mesh.point(mesh.corner(f, i)), mesh.point(mesh.corner(f, (i + 1) % 3)), p) > 0))
+      return false;
   return true;
 }
 

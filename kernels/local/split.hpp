@@ -1,4 +1,5 @@
-// Splits in a triangle mesh: an edge at a point (2 -> 4, or 1 -> 2 on the boundary) and a face at a point (1 -> 3).
+// Splits in a triangle mesh: an edge at a point (2 -> 4, or 1 -> 2 on the boundary) and a face at a point (1
+// -> 3).
 #pragma once
 
 #include "engine/mesh/constraint.hpp"
@@ -12,13 +13,15 @@ namespace quarry {
 
 // Lo's measure of the worst triangle that splitting the edge of s, or the face, at p would make.
 [[nodiscard]] double worst_of_edge_split(const Mesh& mesh, SideId s, Vec2 p);
+// The smallest height of those triangles, in input units.
+[[nodiscard]] double lowest_of_edge_split(const Mesh& mesh, SideId s, Vec2 p);
 [[nodiscard]] double worst_of_face_split(const Mesh& mesh, FaceId f, Vec2 p);
 
 // Claims the corners of the faces at the edge and announces the new vertex and faces.
 void claim_split_edge(const Mesh& mesh, SideId s, Cavity& cavity);
 
-// Splits the edge a-b of s at p. The new vertex bears the given support; both halves keep the constraint bit of the
-// edge. can_split_edge must hold. Returns the new vertex.
+// Splits the edge a-b of s at p. The new vertex bears the given support; both halves keep the constraint bit
+// of the edge. can_split_edge must hold. Returns the new vertex.
 VertexId split_edge(MeshEditor& editor, ConstraintTags tags, SideId s, Vec2 p, Support support, NewIds ids);
 
 // True if p lies strictly inside the face (exact).

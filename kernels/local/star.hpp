@@ -6,8 +6,8 @@
 
 namespace quarry {
 
-// Lo's measure of the worst triangle of the star of v, were v at p: in (0, 1] if all triangles turn left (exact), else
-// -1. Araujo & Celes 2014, eqs. (1) and (2).
+// Lo's measure of the worst triangle of the star of v, were v at p: in (0, 1] if all triangles turn left
+// (exact), else -1. Araujo & Celes 2014, eqs. (1) and (2).
 [[nodiscard]] double star_quality(const Mesh& mesh, VertexId v, Vec2 p);
 
 // Claims v and its link.
