@@ -31,9 +31,10 @@ void add_shape_options(CLI::App& command, MeshArguments& arguments) {
       ->check(one_of({"deferred", "front", "blocks"}));
   option("--start", arguments.start, "4-8|delaunay|FILE",
          "the mesh that the lines are worked into; default 4-8: a lattice of right triangles");
-  option(
-      "--orient", arguments.orient, "auto|DEGREES",
-      "turns the start mesh counter-clockwise; default 0; auto: along the direction that the lines prefer");
+  option("--orient", arguments.orient, "auto|DEGREES",
+         "turns the start mesh counter-clockwise; auto: along the direction that the lines prefer; default "
+         "auto, "
+         "or 0 where the outline is the box of the lines");
   option("--preset", arguments.preset, "default|paper",
          "paper: constraint insertion as published (Araujo & Celes 2014), for comparison")
       ->check(one_of({"default", "paper"}));
@@ -95,7 +96,8 @@ void refuse_what_is_not_built(const MeshArguments& arguments) {
 void fill_start(MeshArguments& arguments) {
   SectionOptions& section = arguments.section;
   section.orient_auto = arguments.orient == "auto";
-  if (!section.orient_auto) section.orient_degrees = parse_degrees(arguments.orient);
+  if (!section.orient_auto && !arguments.orient.empty())
+    section.orient_degrees = parse_degrees(arguments.orient);
   if (arguments.start == "4-8") return;
   section.start = arguments.start == "delaunay" ? StartMesh::kDelaunay : StartMesh::kFile;
   if (section.start == StartMesh::kFile) section.start_file = arguments.start;

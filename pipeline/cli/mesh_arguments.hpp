@@ -21,7 +21,7 @@ struct MeshArguments {
   bool compress = false;
 
   // As written; fill_section() reads them.
-  std::string elements = "quad", method = "deferred", start = "4-8", orient = "0", quads = "cluster",
+  std::string elements = "quad", method = "deferred", start = "4-8", orient, quads = "cluster",
               cleanup = "none", preset = "default", size_field;
   bool keep_boundary = false;
 };

@@ -16,7 +16,9 @@ void tell_insertion(const SectionResult& result) {
   for (const PassReport* pass : {&d.nodes, &d.pieces})
     log::detail("pass {}: {} rounds, {} proposed, {} won", pass->name, pass->rounds, pass->proposed,
                 pass->won);
-  log::detail("pairing: {} pairs, {} single triangles", result.pairing.pairs, result.pairing.singles);
+  log::detail("pairing: {} pairs, {} single triangles; {} left after recutting",
+              result.quads.mixed.pairing.pairs, result.quads.mixed.pairing.singles,
+              result.quads.subdivide.from_triangles);
 }
 
 }  // namespace

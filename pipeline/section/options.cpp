@@ -18,7 +18,8 @@ constexpr double kTriangleArea = 0.4330127018922193;
 double positive_or_default(const std::optional<double>& value, double fallback, const char* name) {
   if (!value) return fallback;
   if (!(*value >= 0) || !std::isfinite(*value))
-    throw Error(ErrorKind::kUsage, fmt::format("{} is {}: it must be a length of 0 or more in input units", name, *value));
+    throw Error(ErrorKind::kUsage,
+                fmt::format("{} is {}: it must be a length of 0 or more in input units", name, *value));
   return *value;
 }
 
@@ -38,7 +39,8 @@ ResolvedLengths resolve_lengths(const SectionOptions& options, const Box2& box, 
   if (options.size) {
     lengths.size = *options.size;
     if (!(lengths.size > 0) || !std::isfinite(lengths.size))
-      throw Error(ErrorKind::kUsage, fmt::format("--size is {}: it must be a length above 0 in input units", *options.size));
+      throw Error(ErrorKind::kUsage,
+                  fmt::format("--size is {}: it must be a length above 0 in input units", *options.size));
   } else {
     if (!(*options.count >= 1) || !std::isfinite(*options.count))
       throw Error(ErrorKind::kUsage, fmt::format("--count is {}: it must be 1 or more", *options.count));
@@ -46,18 +48,22 @@ ResolvedLengths resolve_lengths(const SectionOptions& options, const Box2& box, 
     lengths.size = std::sqrt(area / *options.count / unit);
   }
   if (lengths.size > box.longer_side())
-    throw Error(ErrorKind::kUsage,
-                fmt::format("the size {:.6g} is larger than the domain, whose longer side is {:.6g}: take a smaller --size",
-                            lengths.size, box.longer_side()));
+    throw Error(
+        ErrorKind::kUsage,
+        fmt::format(
+            "the size {:.6g} is larger than the domain, whose longer side is {:.6g}: take a smaller --size",
+            lengths.size, box.longer_side()));
   lengths.snap = positive_or_default(options.snap, 0.05 * lengths.size, "--snap");
   lengths.min_edge = positive_or_default(options.min_edge, 0.1 * lengths.size, "--min-edge");
   lengths.tolerance = positive_or_default(options.tolerance, 0.05 * lengths.size, "--tolerance");
   const double elements = predict_elements(options, box, lengths.size);
   if (elements > options.max_elements)
-    throw Error(ErrorKind::kBudget,
-                fmt::format("a size of {:.6g} means about {:.3g} elements and {:.3g} GB of memory, beyond --max-elements "
-                            "{:.3g}: take a larger --size, or raise the limit",
-                            lengths.size, elements, predict_bytes(elements) / 1e9, options.max_elements));
+    throw Error(
+        ErrorKind::kBudget,
+        fmt::format(
+            "a size of {:.6g} means about {:.3g} elements and {:.3g} GB of memory, beyond --max-elements "
+            "{:.3g}: take a larger --size, or raise the limit",
+            lengths.size, elements, predict_bytes(elements) / 1e9, options.max_elements));
   return lengths;
 }
 

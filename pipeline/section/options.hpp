@@ -29,9 +29,9 @@ struct SectionOptions {
   Elements elements = Elements::kQuad;
   StartMesh start = StartMesh::kCrisscross;
   std::string start_file;
-  // Unset: the lattice follows the box; else degrees, or the dominant direction of the lines.
-  double orient_degrees = 0;
-  bool orient_auto = false;
+  // Direction of the start mesh; neither: along the box where the outline is one, else as for orient_auto.
+  std::optional<double> orient_degrees;
+  bool orient_auto = false;  // along the direction that the lines prefer
   Preset preset = Preset::kDefault;
   std::uint64_t seed = 0;
   // Told before meshing begins: about how many elements and how many bytes of memory it will take.

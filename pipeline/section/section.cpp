@@ -12,11 +12,9 @@
 #include "engine/mesh/pinch.hpp"
 #include "engine/mesh/validate.hpp"
 #include "io/lines/line_reader.hpp"
-#include "kernels/cluster/merge.hpp"
 #include "kernels/deferred/deferred.hpp"
 #include "kernels/local/better_flips.hpp"
 #include "kernels/smooth/laplacian.hpp"
-#include "kernels/smooth/optimise.hpp"
 #include "pipeline/section/start.hpp"
 
 namespace quarry {
@@ -76,20 +74,9 @@ void insert(const SectionOptions& options, SectionResult& result, const Progress
   (void)insert_lines(result.mesh, result.cleaned.lines, deferred, result.deferred, progress);
 }
 
-void convert_to_quads(const SectionOptions& options, SectionResult& result, StageClock& clock, const Progress& progress) {
-  const NodedLines& lines = result.cleaned.lines;
-  clock.start("pairing");
-  PairingOptions pairing_options;
-  if (options.preset == Preset::kPaper) pairing_options.measure = PairMeasure::kLongestEdge;
-  const Pairing pairing =
-      pair_triangles(result.mesh, ConstraintTags::of(result.mesh), pairing_options, result.pairing, progress);
-  result.mesh = merge_pairs(std::move(result.mesh), pairing);
-  clock.start("subdivision");
-  result.mesh = subdivide(std::move(result.mesh), lines, result.subdivide, progress);
-  clock.start("smoothing");
-  result.laplacian = smooth_laplacian(result.mesh, lines, LaplacianOptions(), progress);
-  clock.start("optimising");
-  result.optimiser = optimise_corners(result.mesh, lines, OptimiseOptions(), progress);
+void convert_to_quads(const SectionOptions& options, SectionResult& result, const Progress& progress) {
+  const QuadOptions quads = options.preset == Preset::kPaper ? paper_quad_options() : QuadOptions();
+  result.mesh = make_quads(std::move(result.mesh), result.cleaned.lines, quads, result.quads, progress);
 }
 
 // Nothing leaves the engine that is not valid on the doubles as they will be written.
@@ -98,7 +85,8 @@ void require_valid(const Mesh& mesh) {
   if (!failure.empty()) throw Error(ErrorKind::kBug, "the mesh is not valid: " + failure);
 }
 
-void read_and_clean(const SectionOptions& options, SectionResult& result, StageClock& clock, const Progress& progress) {
+void read_and_clean(const SectionOptions& options, SectionResult& result, StageClock& clock,
+                    const Progress& progress) {
   clock.start("reading");
   result.lines = read_lines(options.inputs);
   clock.start("cleaning");
@@ -106,10 +94,11 @@ void read_and_clean(const SectionOptions& options, SectionResult& result, StageC
   const double near = options.snap.value_or(0.05 * options.size.value_or(0.01 * box.longer_side()));
   result.outline = find_outline(options, result.lines, near);
   result.lengths = resolve_lengths(options, box_of(result.outline), area_of(result.outline));
-  result.cleaned = clean_lines(
-      result.lines, result.outline,
-      {.snap = result.lengths.snap, .min_edge = result.lengths.min_edge, .tolerance = result.lengths.tolerance},
-      progress);
+  result.cleaned = clean_lines(result.lines, result.outline,
+                               {.snap = result.lengths.snap,
+                                .min_edge = result.lengths.min_edge,
+                                .tolerance = result.lengths.tolerance},
+                               progress);
   result.lengths.snap = result.cleaned.options.snap;
 }
 
@@ -139,7 +128,7 @@ SectionResult mesh_section(const SectionOptions& options, const Progress& progre
   read_and_clean(options, result, clock, progress);
   tell_prediction(options, result);
   clock.start("start mesh");
-  result.orient_degrees = find_orientation(options, result.cleaned.lines);
+  result.orient_degrees = find_orientation(options, result.outline.rule, result.cleaned.lines);
   result.mesh = make_start_mesh(options, result.cleaned.lines, spacing_of(options, result.lengths.size),
                                 result.orient_degrees);
   const ConstraintTags tags = prepare_start(result.mesh);
@@ -149,11 +138,12 @@ SectionResult mesh_section(const SectionOptions& options, const Progress& progre
   split_pinches(result.mesh, tags);
   compact(result.mesh, EntityOrder::kHilbert);
   if (options.elements == Elements::kQuad) {
-    convert_to_quads(options, result, clock, progress);
+    clock.start("quads");
+    convert_to_quads(options, result, progress);
   } else {
     clock.start("smoothing");
     flip_to_better(result.mesh, progress);
-    result.laplacian = smooth_laplacian(result.mesh, result.cleaned.lines, LaplacianOptions(), progress);
+    result.smoothing = smooth_laplacian(result.mesh, result.cleaned.lines, LaplacianOptions(), progress);
   }
   clock.start("finishing");
   const ConstraintTags final_tags = ConstraintTags::of(result.mesh);

@@ -1,12 +1,11 @@
-// The section job: reads lines, cleans them, works them into a start mesh, and turns that into quads (or smooths its
-// triangles). Nothing is written here.
+// The section job: reads lines, cleans them, works them into a start mesh, and turns that into quads (or
+// smooths its triangles). Nothing is written here.
 #pragma once
 
 #include "engine/base/progress.hpp"
 #include "engine/geometry/line_set.hpp"
 #include "engine/mesh/mesh.hpp"
-#include "kernels/cluster/pairing.hpp"
-#include "kernels/cluster/subdivide.hpp"
+#include "kernels/cluster/quads.hpp"
 #include "kernels/deferred/options.hpp"
 #include "kernels/linework/clean_lines.hpp"
 #include "kernels/smooth/sweep.hpp"
@@ -16,7 +15,8 @@
 namespace quarry {
 
 struct SectionResult {
-  // Faces with the tag "region"; edge entities with the tags "constraint" and "kind". Compact, in Hilbert order.
+  // Faces with the tag "region"; edge entities with the tags "constraint" and "kind". Compact, in Hilbert
+  // order.
   Mesh mesh;
   LineSet lines;
   CleanedLines cleaned;
@@ -25,9 +25,8 @@ struct SectionResult {
   double orient_degrees = 0;
   std::int32_t regions = 0;
   DeferredReport deferred;
-  PairingReport pairing;
-  SubdivideReport subdivide;
-  SweepReport laplacian, optimiser;
+  QuadReport quads;       // of quad meshes
+  SweepReport smoothing;  // of triangle meshes
   std::vector<StageTime> times;
 };
 

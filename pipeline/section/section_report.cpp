@@ -63,7 +63,7 @@ std::vector<ReportItem> counts_of(const SectionResult& result, const QualitySumm
           {"cleaned_nodes", whole(result.cleaned.lines.nodes.size())},
           {"cleaned_pieces", whole(result.cleaned.lines.pieces.size())},
           {"crossings", std::int64_t{c.crossings}},
-          {"merges", std::int64_t{c.merges}},
+          {"reroutes", std::int64_t{c.reroutes}},
           {"simplified_bends", std::int64_t{c.simplified}},
           {"collapsed_pieces", std::int64_t{c.collapsed}},
           {"short_pieces_kept", std::int64_t{c.short_pieces}},
@@ -74,8 +74,8 @@ std::vector<ReportItem> counts_of(const SectionResult& result, const QualitySumm
           {"splits", whole(d.splits)},
           {"fallbacks", whole(d.fallbacks)},
           {"rebuilt_pieces", whole(d.rebuilt)},
-          {"pairs", whole(result.pairing.pairs)},
-          {"single_triangles", whole(result.pairing.singles)}};
+          {"pairs", whole(result.quads.mixed.pairing.pairs)},
+          {"single_triangles", whole(result.quads.mixed.pairing.singles)}};
 }
 
 }  // namespace

@@ -25,8 +25,10 @@ Mesh read_start(const std::string& path, const NodedLines& lines) {
 
 }  // namespace
 
-double find_orientation(const SectionOptions& options, const NodedLines& lines) {
-  return options.orient_auto ? dominant_direction(lines) : options.orient_degrees;
+double find_orientation(const SectionOptions& options, OutlineRule rule, const NodedLines& lines) {
+  if (options.orient_degrees) return *options.orient_degrees;
+  if (!options.orient_auto && rule == OutlineRule::kBox) return 0;
+  return dominant_direction(lines);
 }
 
 Mesh make_start_mesh(const SectionOptions& options, const NodedLines& lines, double spacing,

@@ -3,12 +3,15 @@
 
 #include "engine/geometry/line_set.hpp"
 #include "engine/mesh/mesh.hpp"
+#include "kernels/linework/outline.hpp"
 #include "pipeline/section/options.hpp"
 
 namespace quarry {
 
-// The direction of the start mesh in degrees: the one asked for, or that of the lines.
-[[nodiscard]] double find_orientation(const SectionOptions& options, const NodedLines& lines);
+// The direction of the start mesh in degrees: the one asked for; else that of the box where the outline is
+// one, since a lattice along its sides meets them without a seam; else the one that the lines prefer.
+[[nodiscard]] double find_orientation(const SectionOptions& options, OutlineRule rule,
+                                      const NodedLines& lines);
 
 // Triangles that reach beyond the cleaned lines on all sides, by the rule of options.start. spacing: the
 // wanted edge of a triangle, in input units. Throws Error(kInput) for a start file that cannot be used.
