@@ -171,6 +171,22 @@ void require_domain(const Outline& outline, const std::vector<linework::EdgePlac
                   format_point(p.x, p.y)));
 }
 
+// No invariant is kept at the cost of a line's course: rather no result.
+void require_within_budget(const LineSet& lines, const IdVector<LineId, LedgerEntry>& ledger, double budget) {
+  for (const LineId id : IdRange<LineId>(ledger.size())) {
+    const LedgerEntry& entry = ledger[id];
+    if (entry.moved <= budget) continue;
+    throw Error(
+        ErrorKind::kGeometry,
+        fmt::format("{}: feature {}: near {} the lines are so dense that joining them would move this "
+                    "one by {:.4g}, beyond the {:.4g} of snap, min-edge and tolerance; give a smaller "
+                    "size or --snap",
+                    lines.files.empty() ? "input" : lines.files[lines.lines[id].file],
+                    lines.lines[id].feature, format_point(entry.moved_at.x, entry.moved_at.y), entry.moved,
+                    budget));
+  }
+}
+
 }  // namespace
 
 CleanedLines clean_lines(const LineSet& lines, const Outline& outline, const CleanOptions& options,
@@ -194,7 +210,8 @@ CleanedLines clean_lines(const LineSet& lines, const Outline& outline, const Cle
   PathNetwork network = linework::cluster_points(raw_lines(lines, outline), result.options.snap);
   linework::Reasons reasons(lines.lines.size());
   note_points(lines, network, reasons);
-  linework::node_and_snap(network, result.options.snap, result.counts, progress);
+  const double budget = result.options.snap + result.options.min_edge + result.options.tolerance;
+  linework::node_and_snap(network, result.options.snap, budget, result.counts, progress);
   linework::note_lost_lines(network, "was merged into one point with others within the snapping distance",
                             reasons);
 
@@ -219,6 +236,7 @@ CleanedLines clean_lines(const LineSet& lines, const Outline& outline, const Cle
   result.counts.smallest_angle = smallest_angle(result.lines);
   for (const LedgerEntry& entry : result.ledger)
     result.counts.largest_move = std::max(result.counts.largest_move, entry.moved);
+  require_within_budget(lines, result.ledger, budget * (1 + 1e-9) + least / 16);
   for (const Piece& piece : result.lines.pieces)
     if (distance(result.lines.nodes[piece.from], result.lines.nodes[piece.to]) < result.options.min_edge)
       ++result.counts.short_pieces;

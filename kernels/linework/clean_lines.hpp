@@ -48,6 +48,7 @@ struct LedgerEntry {
   // Largest distance between the raw line (without clipped parts) and the pieces that stand for it. 0 if
   // dropped.
   double moved = 0;
+  Vec2 moved_at;              // the end of a piece near the place of that distance
   double clipped_length = 0;  // length outside the outline
 };
 
@@ -56,7 +57,7 @@ struct CleanCounts {
   std::uint32_t crossings = 0;     // that became nodes
   std::uint32_t bends = 0;         // nodes that a foreign piece was bent through
   std::uint32_t anchors = 0;       // nodes that bring a line that drifts away back to its raw course
-  std::uint32_t merges = 0;        // nodes merged because the rounds ran out
+  std::uint32_t reroutes = 0;      // times that a path was laid anew because bending had led it astray
   std::uint32_t simplified = 0;    // bends removed within the tolerance
   std::uint32_t collapsed = 0;     // pieces collapsed for being short
   std::uint32_t short_pieces = 0;  // pieces shorter than min_edge that had to stay
@@ -74,8 +75,9 @@ struct CleanedLines {
 
 // Nodes come in Hilbert order of their box, pieces by their smaller node, then the larger; from < to by
 // number. Throws Error(kInput) if no line has a part within the outline, Error(kUsage) for lengths that are
-// negative or not finite, and Error(kBug) with the place if the result breaks what the header of NodedLines
-// promises.
+// negative or not finite, Error(kGeometry) with the place if lines are too dense to be joined within snap +
+// min_edge + tolerance of their raw course, and Error(kBug) with the place if the result breaks what the
+// header of NodedLines promises.
 [[nodiscard]] CleanedLines clean_lines(const LineSet& lines, const Outline& outline,
                                        const CleanOptions& options, const Progress& progress = {});
 

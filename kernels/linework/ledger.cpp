@@ -106,8 +106,12 @@ class LedgerMaker {
       (void)on_edge_.others(network_.edge_of_step[network_.edge_begin[p] + i], line, meetings.along);
       const PathStep& from = path.steps[i];
       const PathStep& to = path.steps[i + 1];
-      entry.moved = std::max(
-          entry.moved, deviation(raw, from.at, to.at, network_.nodes[from.node], network_.nodes[to.node]));
+      const Vec2 a = network_.nodes[from.node];
+      const double moved = deviation(raw, from.at, to.at, a, network_.nodes[to.node]);
+      if (moved > entry.moved) {
+        entry.moved = moved;
+        entry.moved_at = a;
+      }
     }
     const bool loop = path.steps.front().node == path.steps.back().node;
     for (std::size_t i = 0; i <= last; ++i) {

@@ -4,22 +4,32 @@
 #include <cmath>
 #include <numbers>
 #include <tuple>
+#include <utility>
 
+#include <fmt/format.h>
+
+#include "engine/base/error.hpp"
 #include "engine/geometry/segment.hpp"
 #include "engine/parallel/parallel.hpp"
+#include "kernels/linework/nearest_course.hpp"
 #include "kernels/linework/node_buckets.hpp"
 #include "kernels/linework/raw_stretch.hpp"
 
 namespace quarry::linework {
 namespace {
 
-// Hits that bending does not settle in this many rounds in a row are settled by merging.
-constexpr std::uint32_t kRoundsBeforeMerging = 8;
-// After this many rounds in all, everything is settled by merging.
-constexpr std::uint32_t kRounds = 64;
+// Where bending does not settle the hits in this many rounds in a row, the paths are laid anew.
+constexpr std::uint32_t kRoundsOfBending = 8;
+// Dense soups of thousands of lines take a few dozen rounds; more than this is an error.
+constexpr std::uint32_t kRounds = 128;
 // How far an edge may be from its raw stretch before it is anchored, in snapping distances: more than the
 // sqrt(2) that joining points to nodes can make.
 constexpr double kDrift = 1.75;
+// How far before its path is laid anew, in snapping distances: more than what laying it and bending it once
+// make, so that this is not done over and over.
+constexpr double kTooFar = 3;
+// Spacing of the samples of a raw line when it is laid, in snapping distances.
+constexpr double kSampling = 0.25;
 constexpr std::size_t kQueriesPerChunk = 256;
 
 // A node nearer than snap to an edge that does not end there.
@@ -53,9 +63,10 @@ std::vector<Found> gather(std::size_t size, Find&& find) {
 
 class Noder {
  public:
-  Noder(PathNetwork& network, double snap, CleanCounts& counts)
+  Noder(PathNetwork& network, double snap, double budget, CleanCounts& counts)
       : network_(network),
         snap_(snap),
+        too_far_(std::min(budget, kTooFar * snap)),
         counts_(counts),
         buckets_(network.nodes.empty() ? Vec2{} : network.nodes[NodeId(0U)], std::numbers::sqrt2 * snap) {
     mark_ends_and_outline();
@@ -68,7 +79,8 @@ class Noder {
       const std::vector<Segment> segments = network_.segments();
       if (segments.empty()) return;
       const SegmentGrid grid(segments, 4 * snap_);
-      if (!(snap_nodes(segments, grid) || node_crossings(segments, grid))) return;
+      const bool settled = !snap_nodes(segments, grid) && !node_crossings(segments, grid);
+      if (!lay_far_paths_anew({}) && settled) return;
       ++counts_.rounds;
     }
   }
@@ -117,12 +129,12 @@ class Noder {
   bool snap_nodes(const std::vector<Segment>& segments, const SegmentGrid& grid) {
     const std::vector<Hit> hits = find_hits(segments, grid);
     if (hits.empty()) return false;
-    if (out_of_rounds() || bending_rounds_ == 0) {
-      bending_rounds_ = kRoundsBeforeMerging;
-      merge_hits(hits, segments);
-      return true;
+    require_rounds(network_.nodes[hits.front().node]);
+    if (bending_rounds_ == 0) {
+      bending_rounds_ = kRoundsOfBending;
+      if (lay_far_paths_anew(hits)) return true;
     }
-    --bending_rounds_;
+    if (bending_rounds_ > 0) --bending_rounds_;
     std::vector<Insertion> insertions;
     begin_merging();
     for (std::size_t i = 0; i < hits.size();) {
@@ -134,8 +146,70 @@ class Noder {
     counts_.bends += static_cast<std::uint32_t>(insertions.size());
     network_.insert(insertions);
     finish_merging();
-    if (!out_of_rounds()) anchor_drifting_paths();
+    anchor_drifting_paths();
     return true;
+  }
+
+  // Lays paths anew around edges that are too far from the stretches they stand for, and around these stuck
+  // edges; whether that changed any path.
+  bool lay_far_paths_anew(std::span<const Hit> stuck) {
+    std::vector<std::uint8_t> stuck_edges(stuck.empty() ? 0 : network_.edges.size(), 0);
+    for (const Hit& hit : stuck) stuck_edges[hit.edge] = 1;
+    bool changed = false;
+    std::vector<std::uint8_t> marked;
+    for (std::size_t p = 0; p < network_.paths.size(); ++p) {
+      const Path& path = network_.paths[p];
+      if (network_.raw[path.raw].rigid || path.steps.size() < 2) continue;
+      marked.assign(path.steps.size() - 1, 0);
+      bool any = false;
+      for (std::size_t i = 0; i < marked.size(); ++i) {
+        const bool is_stuck =
+            !stuck.empty() && stuck_edges[network_.edge_of_step[network_.edge_begin[p] + i]] != 0;
+        marked[i] = is_stuck || deviation_of(path, i) > too_far_ ? 1 : 0;
+        any = any || marked[i] != 0;
+      }
+      if (any && lay_anew(network_.paths[p], marked)) changed = true;
+    }
+    return changed;
+  }
+
+  double deviation_of(const Path& path, std::size_t i) const {
+    const PathStep& from = path.steps[i];
+    const PathStep& to = path.steps[i + 1];
+    return deviation(network_.raw[path.raw].points, from.at, to.at, network_.nodes[from.node],
+                     network_.nodes[to.node]);
+  }
+
+  bool lay_anew(Path& path, const std::vector<std::uint8_t>& marked) {
+    const std::span<const Vec2> raw = network_.raw[path.raw].points;
+    const auto node_at = [&](Vec2 p) {
+      const NodeId near = buckets_.nearest(p);
+      const NodeId node = near.valid() ? near : add_node(p, path.outline);
+      if (path.outline) on_outline_[node.value()] = 1;
+      return node;
+    };
+    const std::vector<PathStep> before = path.steps;
+    const std::vector<Window> windows = windows_around(network_, path, marked, std::numbers::sqrt2 * snap_);
+    for (PathStep* end : {&path.steps.front(), &path.steps.back()}) {
+      const Vec2 p = raw_point(raw, end->at);
+      if (distance(p, network_.nodes[end->node]) > too_far_) end->node = node_at(p);
+    }
+    std::vector<PathStep> steps;
+    std::size_t next = 0;  // step of the path that follows
+    for (const Window& window : windows) {
+      for (; next <= window.first; ++next) steps.push_back(path.steps[next]);
+      const auto laid = nearest_course(network_, raw, path.steps[window.first].at, path.steps[window.last].at,
+                                       kSampling * snap_, node_at);
+      steps.insert(steps.end(), laid.begin(), laid.end());
+      next = window.last;
+    }
+    for (; next < path.steps.size(); ++next) steps.push_back(path.steps[next]);
+    path.steps = std::move(steps);
+    network_.drop_repeated_steps(path);
+    const bool changed = !std::equal(before.begin(), before.end(), path.steps.begin(), path.steps.end(),
+                                     [](const PathStep& a, const PathStep& b) { return a.node == b.node; });
+    if (changed) ++counts_.reroutes;
+    return changed;
   }
 
   // A long edge that is bent through one node after another of a line that slowly leaves it would be drawn
@@ -238,28 +312,14 @@ class Noder {
     network_.substitute(substitute_);
   }
 
-  void merge(NodeId gone, NodeId kept) {
-    gone = root(gone);
-    kept = root(kept);
-    if (gone == kept) return;
-    if (on_outline_[gone.value()] > on_outline_[kept.value()]) std::swap(gone, kept);
-    substitute_[gone] = kept;
-    buckets_.remove(gone);
-    ++counts_.merges;
+  void require_rounds(Vec2 place) const {
+    if (counts_.rounds < kRounds) return;
+    throw Error(
+        ErrorKind::kGeometry,
+        fmt::format("near {} the lines are too dense to be told apart at the snapping distance of {:g}; "
+                    "give a smaller size or --snap",
+                    format_point(place.x, place.y), snap_));
   }
-
-  void merge_hits(const std::vector<Hit>& hits, const std::vector<Segment>& segments) {
-    begin_merging();
-    for (const Hit& hit : hits) {
-      const Edge& edge = network_.edges[hit.edge];
-      const bool first =
-          closest_parameter(network_.nodes[hit.node], segments[hit.edge].from, segments[hit.edge].to) < 0.5;
-      merge(hit.node, first ? edge.from : edge.to);
-    }
-    finish_merging();
-  }
-
-  [[nodiscard]] bool out_of_rounds() const { return counts_.rounds >= kRounds; }
 
   std::vector<Crossing> find_crossings(const std::vector<Segment>& segments, const SegmentGrid& grid) const {
     const double step = 64 * snap_;
@@ -291,14 +351,11 @@ class Noder {
   bool node_crossings(const std::vector<Segment>& segments, const SegmentGrid& grid) {
     const std::vector<Crossing> crossings = find_crossings(segments, grid);
     if (crossings.empty()) return false;
-    bending_rounds_ = kRoundsBeforeMerging;
+    require_rounds(segments[crossings.front().first].from);
+    bending_rounds_ = kRoundsOfBending;
     begin_merging();
     std::vector<Insertion> insertions;
     for (const Crossing& crossing : crossings) {
-      if (out_of_rounds()) {
-        merge_crossing(crossing);
-        continue;
-      }
       const NodeId node = node_of_crossing(crossing, segments);
       for (const std::uint32_t e : {crossing.first, crossing.second})
         if (network_.edges[e].from != node && network_.edges[e].to != node)
@@ -336,30 +393,15 @@ class Noder {
     return node;
   }
 
-  // Merges the two ends, one of each edge, that are nearest to each other.
-  void merge_crossing(const Crossing& crossing) {
-    const Edge& first = network_.edges[crossing.first];
-    const Edge& second = network_.edges[crossing.second];
-    NodeId gone = first.from;
-    NodeId kept = second.from;
-    for (const NodeId a : {first.from, first.to}) {
-      for (const NodeId b : {second.from, second.to}) {
-        const double now = squared_length(network_.nodes[gone] - network_.nodes[kept]);
-        if (squared_length(network_.nodes[a] - network_.nodes[b]) < now)
-          std::tie(gone, kept) = std::tie(a, b);
-      }
-    }
-    merge(gone, kept);
-  }
-
   PathNetwork& network_;
   double snap_;
+  double too_far_;
   CleanCounts& counts_;
   NodeBuckets buckets_;
   std::vector<std::uint32_t> end_of_one_;  // how many paths end at the node; 0 once it has moved
   std::vector<std::uint8_t> on_outline_;
   IdVector<NodeId, NodeId> substitute_;
-  std::uint32_t bending_rounds_ = kRoundsBeforeMerging;
+  std::uint32_t bending_rounds_ = kRoundsOfBending;
 };
 
 }  // namespace
@@ -397,8 +439,9 @@ PathNetwork cluster_points(std::vector<RawLine> raw, double snap) {
   return network;
 }
 
-void node_and_snap(PathNetwork& network, double snap, CleanCounts& counts, const Progress& progress) {
-  Noder(network, snap, counts).run(progress);
+void node_and_snap(PathNetwork& network, double snap, double budget, CleanCounts& counts,
+                   const Progress& progress) {
+  Noder(network, snap, budget, counts).run(progress);
 }
 
 }  // namespace quarry::linework

@@ -66,8 +66,6 @@ struct PathNetwork {
   // Replaces each node by substitute[node] and drops steps that stay where they are.
   void substitute(const IdVector<NodeId, NodeId>& substitute);
   void drop_repeated_steps();
-
- private:
   void drop_repeated_steps(Path& path) const;
 };
 

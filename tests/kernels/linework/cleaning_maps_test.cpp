@@ -32,7 +32,7 @@ TEST_P(CleaningMaps, StaysWithinTheBudgetAndTellsOfEveryLine) {
                                 : boundary_outline(read_lines({kFolder + boundary}), options.snap);
     const CleanedLines result = clean_lines(raw, outline, options);
     expect_faithful(raw, result);
-    EXPECT_EQ(result.counts.merges, 0U);
+    EXPECT_EQ(result.counts.reroutes, 0U);
     EXPECT_LE(result.counts.short_pieces * 1000, result.lines.pieces.size());
   }
 }
