@@ -4,8 +4,6 @@
 
 namespace quarry {
 
-std::string format_point(double x, double y) {
-  return fmt::format("({:.10g}, {:.10g})", x, y);
-}
+std::string format_point(double x, double y) { return fmt::format("({:.10g}, {:.10g})", x, y); }
 
 }  // namespace quarry

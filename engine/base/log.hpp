@@ -1,9 +1,9 @@
 // Messages for people: one line each, to the standard error stream. Results never go through here.
 #pragma once
 
-#include <fmt/format.h>
-
 #include <string_view>
+
+#include <fmt/format.h>
 
 namespace quarry::log {
 

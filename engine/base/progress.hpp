@@ -1,5 +1,5 @@
-// Progress and cancellation of long jobs. A job reports a stage and a share done; whoever asked for the job may
-// cancel it from any thread (or from a signal handler), and the job ends with ErrorKind::kInterrupted.
+// Progress and cancellation of long jobs. A job reports a stage and a share done; whoever asked for the job
+// may cancel it from any thread (or from a signal handler), and the job ends with ErrorKind::kInterrupted.
 #pragma once
 
 #include <atomic>

@@ -1,5 +1,5 @@
-// Counter-based random numbers: a value is a pure function of a seed and a counter, so that what an item draws
-// depends on the item alone, never on who came before it or on which thread runs it.
+// Counter-based random numbers: a value is a pure function of a seed and a counter, so that what an item
+// draws depends on the item alone, never on who came before it or on which thread runs it.
 #pragma once
 
 #include <cstdint>

@@ -16,14 +16,14 @@ using LineId = Id<struct LineKind>;    // an input line, in reading order across
 using NodeId = Id<struct NodeKind>;    // a point of the cleaned lines
 using PieceId = Id<struct PieceKind>;  // a straight segment between two nodes of the cleaned lines
 
-// One line of the input: a LineString, a part of a MultiLineString or a ring of a polygon (closed: its last point
-// equals its first). It keeps its number for good, even if it is dropped.
+// One line of the input: a LineString, a part of a MultiLineString or a ring of a polygon (closed: its last
+// point equals its first). It keeps its number for good, even if it is dropped.
 struct InputLine {
   std::vector<Vec2> points;
-  std::uint32_t file = 0;      // index into LineSet::files
-  std::uint32_t feature = 0;   // number of the feature in its file, from 0
-  bool polygon_ring = false;   // a ring of a Polygon or MultiPolygon
-  bool hole = false;           // an inner ring
+  std::uint32_t file = 0;     // index into LineSet::files
+  std::uint32_t feature = 0;  // number of the feature in its file, from 0
+  bool polygon_ring = false;  // a ring of a Polygon or MultiPolygon
+  bool hole = false;          // an inner ring
 
   [[nodiscard]] bool closed() const { return points.size() > 2 && points.front() == points.back(); }
 };

@@ -13,16 +13,17 @@ namespace quarry {
 using FaceCorners = std::array<VertexId, 4>;
 
 // Builds a planar mesh. Order of points and faces is kept.
-// Throws Error(kInput) naming the place when an edge has three faces, two faces turn the same way along an edge, a
-// corner is out of range, or a face repeats a corner.
-[[nodiscard]] Mesh build_mesh(std::vector<double> x, std::vector<double> y, std::span<const FaceCorners> faces);
+// Throws Error(kInput) naming the place when an edge has three faces, two faces turn the same way along an
+// edge, a corner is out of range, or a face repeats a corner.
+[[nodiscard]] Mesh build_mesh(std::vector<double> x, std::vector<double> y,
+                              std::span<const FaceCorners> faces);
 
 // The same in space. z has the size of x and y.
 [[nodiscard]] Mesh build_mesh(std::vector<double> x, std::vector<double> y, std::vector<double> z,
                               std::span<const FaceCorners> faces);
 
-// Sets side_of of every vertex from the corners and neighbours of the faces alive: the most clockwise side at a
-// boundary vertex, else the side of smallest number. Vertices without a face are deleted.
+// Sets side_of of every vertex from the corners and neighbours of the faces alive: the most clockwise side at
+// a boundary vertex, else the side of smallest number. Vertices without a face are deleted.
 void rebuild_sides_of_vertices(Mesh& mesh);
 
 }  // namespace quarry

@@ -20,7 +20,8 @@ void sort_ids(std::vector<std::uint32_t>& ids, const auto& key_of) {
 
 std::vector<std::uint32_t> inverse(const std::vector<std::uint32_t>& old_of, std::size_t old_size) {
   std::vector<std::uint32_t> new_of(old_size, kGone);
-  parallel::for_each(old_of.size(), [&](std::size_t i) { new_of[old_of[i]] = static_cast<std::uint32_t>(i); });
+  parallel::for_each(old_of.size(),
+                     [&](std::size_t i) { new_of[old_of[i]] = static_cast<std::uint32_t>(i); });
   return new_of;
 }
 
@@ -50,7 +51,8 @@ class MeshCompactor {
         parallel::filter_indices(mesh.face_slots(), [&](std::size_t i) { return mesh.alive(FaceId(i)); });
     if (order == EntityOrder::kHilbert) {
       const Box2 box = mesh.box();
-      sort_ids(result_.old_vertex, [&](std::uint32_t i) { return hilbert_key(mesh.point(VertexId(i)), box); });
+      sort_ids(result_.old_vertex,
+               [&](std::uint32_t i) { return hilbert_key(mesh.point(VertexId(i)), box); });
       new_vertex_ = inverse(result_.old_vertex, mesh.vertex_slots());
       sort_ids(result_.old_face, [&](std::uint32_t i) {
         return std::uint64_t{new_vertex_[mesh.corner(FaceId(i), 0).value()]};

@@ -1,5 +1,5 @@
-// How a mesh carries constraints while it is being made: each vertex knows what it is bound to, each face which of
-// its sides lie on constraints. Two bytes a triangle; edges become entities only at the end.
+// How a mesh carries constraints while it is being made: each vertex knows what it is bound to, each face
+// which of its sides lie on constraints. Two bytes a triangle; edges become entities only at the end.
 #pragma once
 
 #include <cassert>
@@ -52,10 +52,12 @@ struct ConstraintTags {
   Tag<FaceId, std::uint8_t> sides;  // bit k: side k lies on a piece; both faces of an edge agree
 
   static ConstraintTags add_to(Mesh& mesh) {
-    return {mesh.add_tag<VertexId, Support>("support"), mesh.add_tag<FaceId, std::uint8_t>("constrained_sides")};
+    return {mesh.add_tag<VertexId, Support>("support"),
+            mesh.add_tag<FaceId, std::uint8_t>("constrained_sides")};
   }
   static ConstraintTags of(const Mesh& mesh) {
-    return {mesh.find_tag<VertexId, Support>("support"), mesh.find_tag<FaceId, std::uint8_t>("constrained_sides")};
+    return {mesh.find_tag<VertexId, Support>("support"),
+            mesh.find_tag<FaceId, std::uint8_t>("constrained_sides")};
   }
 
   [[nodiscard]] bool constrained(SideId s) const { return ((sides[s.face()] >> s.index()) & 1U) != 0; }

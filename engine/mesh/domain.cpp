@@ -7,7 +7,8 @@
 namespace quarry {
 namespace {
 
-bool on_outline(const Mesh& mesh, ConstraintTags tags, const PieceFinder& finder, const NodedLines& lines, SideId s) {
+bool on_outline(const Mesh& mesh, ConstraintTags tags, const PieceFinder& finder, const NodedLines& lines,
+                SideId s) {
   if (!tags.constrained(s)) return false;
   const PieceId piece = finder.under_edge(tags.support[mesh.origin(s)], tags.support[mesh.target(s)]);
   return lines.pieces[piece].kind == PieceKindOf::kOutline;

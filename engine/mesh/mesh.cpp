@@ -91,8 +91,8 @@ EdgeId Mesh::add_edge(VertexId a, VertexId b) {
 std::size_t Mesh::bytes() const {
   return (x_.size() + y_.size() + z_.size()) * sizeof(double) + side_of_.size() * sizeof(SideId) +
          corners_.size() * sizeof(VertexId) + neighbours_.size() * sizeof(SideId) +
-         edge_ends_.size() * sizeof(std::pair<VertexId, VertexId>) + vertex_tags_.bytes() + edge_tags_.bytes() +
-         face_tags_.bytes();
+         edge_ends_.size() * sizeof(std::pair<VertexId, VertexId>) + vertex_tags_.bytes() +
+         edge_tags_.bytes() + face_tags_.bytes();
 }
 
 }  // namespace quarry

@@ -1,11 +1,12 @@
-// The mesh store: a few arrays. Coordinates are one array an axis (planar meshes have no z), faces of three and four
-// corners share one array of four corners a face (a triangle leaves the fourth empty), and a second array holds the
-// side across each side. A vertex knows one of its sides. Edges are entities only where they carry meaning.
+// The mesh store: a few arrays. Coordinates are one array an axis (planar meshes have no z), faces of three
+// and four corners share one array of four corners a face (a triangle leaves the fourth empty), and a second
+// array holds the side across each side. A vertex knows one of its sides. Edges are entities only where they
+// carry meaning.
 //
 // Invariants, checked by validate(): corners of a face are distinct and counter-clockwise to its orientation;
-// neighbour is an involution that joins sides of the same two vertices in opposite directions; side_of(v) starts at v,
-// and is the most clockwise one where v is on the boundary, so that one counter-clockwise turn sees the whole star.
-// A deleted entity is a tombstone until compact().
+// neighbour is an involution that joins sides of the same two vertices in opposite directions; side_of(v)
+// starts at v, and is the most clockwise one where v is on the boundary, so that one counter-clockwise turn
+// sees the whole star. A deleted entity is a tombstone until compact().
 #pragma once
 
 #include <cstdint>

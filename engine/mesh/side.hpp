@@ -1,5 +1,5 @@
-// A side of a face: the directed edge from corner `index` to the next corner. The number is face * 4 + index, so
-// that face and index are a shift and a mask, and the side on the other face of an edge needs no search.
+// A side of a face: the directed edge from corner `index` to the next corner. The number is face * 4 + index,
+// so that face and index are a shift and a mask, and the side on the other face of an edge needs no search.
 #pragma once
 
 #include <compare>
@@ -16,8 +16,7 @@ class SideId {
 
   constexpr SideId() = default;
   constexpr explicit SideId(std::uint32_t value) : value_(value) {}
-  constexpr SideId(FaceId face, int index)
-      : value_(face.value() * 4 + static_cast<std::uint32_t>(index)) {}
+  constexpr SideId(FaceId face, int index) : value_(face.value() * 4 + static_cast<std::uint32_t>(index)) {}
 
   [[nodiscard]] constexpr std::uint32_t value() const { return value_; }
   [[nodiscard]] constexpr bool valid() const { return value_ != kNone; }

@@ -1,5 +1,5 @@
-// Named, typed, dense data of vertices, edges or faces. Tags follow the mesh: they grow, are permuted and shrink
-// with the entities that they describe.
+// Named, typed, dense data of vertices, edges or faces. Tags follow the mesh: they grow, are permuted and
+// shrink with the entities that they describe.
 #pragma once
 
 #include <cassert>

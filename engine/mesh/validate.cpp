@@ -33,7 +33,8 @@ std::string check_neighbours(const Mesh& mesh, FaceId f) {
     const SideId s(f, i);
     const SideId t = mesh.neighbour(s);
     if (!t.valid()) continue;
-    if (t.face().value() >= mesh.face_slots() || !mesh.alive(t.face()) || t.index() >= mesh.corner_count(t.face()))
+    if (t.face().value() >= mesh.face_slots() || !mesh.alive(t.face()) ||
+        t.index() >= mesh.corner_count(t.face()))
       return fmt::format("neighbour of side {}.{} is no side of a face", f.value(), i);
     if (mesh.neighbour(t) != s)
       return fmt::format("neighbour of side {}.{} is {}.{}, whose neighbour is another side", f.value(), i,
@@ -58,8 +59,9 @@ std::string check_star(const Mesh& mesh, VertexId v, std::uint32_t corners) {
     if (s == first) break;
   }
   if (seen != corners)
-    return fmt::format("one turn around {} meets {} of its {} corners: two fans, or side_of is not the most clockwise",
-                       at(mesh, v), seen, corners);
+    return fmt::format(
+        "one turn around {} meets {} of its {} corners: two fans, or side_of is not the most clockwise",
+        at(mesh, v), seen, corners);
   return {};
 }
 
@@ -79,8 +81,9 @@ std::string first_failure(std::size_t size, Check&& check) {
 
 bool all_corners_turn_left(const Mesh& mesh, FaceId f) {
   const int count = mesh.corner_count(f);
-  if (count == 3) return orient2d(mesh.point(mesh.corner(f, 0)), mesh.point(mesh.corner(f, 1)),
-                                  mesh.point(mesh.corner(f, 2))) > 0;
+  if (count == 3)
+    return orient2d(mesh.point(mesh.corner(f, 0)), mesh.point(mesh.corner(f, 1)),
+                    mesh.point(mesh.corner(f, 2))) > 0;
   for (int i = 0; i < 4; ++i)
     if (!(orient2d(mesh.point(mesh.corner(f, (i + 3) & 3)), mesh.point(mesh.corner(f, i)),
                    mesh.point(mesh.corner(f, (i + 1) & 3))) > 0))
@@ -95,7 +98,8 @@ std::string validate(const Mesh& mesh, GeometryCheck geometry) {
     std::string found = check_corners(mesh, f);
     if (found.empty()) found = check_neighbours(mesh, f);
     if (found.empty() && geometry == GeometryCheck::kPlanarCorners && !all_corners_turn_left(mesh, f))
-      found = fmt::format("face {} at {} has a corner that does not turn left", i, at(mesh, mesh.corner(f, 0)));
+      found =
+          fmt::format("face {} at {} has a corner that does not turn left", i, at(mesh, mesh.corner(f, 0)));
     return found;
   });
   if (!failure.empty()) return failure;

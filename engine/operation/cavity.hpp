@@ -1,6 +1,6 @@
-// The cavity of a proposed local operation: the vertices whose stars it reads or changes, and how many entities it
-// will create. Who holds all corners of a face owns the face; who holds both ends of an edge owns the two neighbour
-// slots of that edge.
+// The cavity of a proposed local operation: the vertices whose stars it reads or changes, and how many
+// entities it will create. Who holds all corners of a face owns the face; who holds both ends of an edge owns
+// the two neighbour slots of that edge.
 #pragma once
 
 #include <cstdint>

@@ -4,6 +4,8 @@
 
 namespace quarry {
 
-std::uint32_t rank_of(std::uint32_t position, std::uint32_t round) { return mix32(position ^ mix32(round + 1)); }
+std::uint32_t rank_of(std::uint32_t position, std::uint32_t round) {
+  return mix32(position ^ mix32(round + 1));
+}
 
 }  // namespace quarry

@@ -1,5 +1,5 @@
-// The claim words of a pass, one a vertex: 32 bits of inverted round number over 32 bits of rank, so that a claim of a
-// newer round is always smaller and nothing is ever cleared.
+// The claim words of a pass, one a vertex: 32 bits of inverted round number over 32 bits of rank, so that a
+// claim of a newer round is always smaller and nothing is ever cleared.
 #pragma once
 
 #include <atomic>
@@ -15,9 +15,10 @@ class Claims {
  public:
   void grow(std::size_t vertices) { words_.resize(vertices, ~std::uint64_t{0}); }
 
-  // Each word may be read and written by many threads at once. All accesses are relaxed: what orders the writes of
-  // the claiming loop before the reads of the deciding loop is the join between the two loops.
-  // Every word is claimed even after one is lost: stopping early would make who blocks whom a matter of timing.
+  // Each word may be read and written by many threads at once. All accesses are relaxed: what orders the
+  // writes of the claiming loop before the reads of the deciding loop is the join between the two loops.
+  // Every word is claimed even after one is lost: stopping early would make who blocks whom a matter of
+  // timing.
   void claim(std::span<const VertexId> vertices, std::uint32_t round, std::uint32_t rank) {
     const std::uint64_t mine = word(round, rank);
     for (const VertexId v : vertices) {
@@ -31,7 +32,8 @@ class Claims {
   [[nodiscard]] bool holds_all(std::span<const VertexId> vertices, std::uint32_t round, std::uint32_t rank) {
     const std::uint64_t mine = word(round, rank);
     for (const VertexId v : vertices)
-      if (std::atomic_ref<std::uint64_t>(words_[v.value()]).load(std::memory_order_relaxed) != mine) return false;
+      if (std::atomic_ref<std::uint64_t>(words_[v.value()]).load(std::memory_order_relaxed) != mine)
+        return false;
     return true;
   }
 
@@ -42,9 +44,9 @@ class Claims {
   std::vector<std::uint64_t> words_;
 };
 
-// The rank of the item at a position of the window in a round. A bijection for each round: there are no ties, and
-// the smallest rank of a round wins, so that every round advances. Rank equal to the position would let one item
-// of each chain of neighbours win a round.
+// The rank of the item at a position of the window in a round. A bijection for each round: there are no ties,
+// and the smallest rank of a round wins, so that every round advances. Rank equal to the position would let
+// one item of each chain of neighbours win a round.
 std::uint32_t rank_of(std::uint32_t position, std::uint32_t round);
 
 }  // namespace quarry

@@ -25,7 +25,8 @@ void MeshEditor::require_claimed(VertexId v, const char* what) const {
   if (std::find(claims_.begin(), claims_.end(), v) != claims_.end()) return;
   const std::scoped_lock lock(violations().mutex);
   if (violations().seen.count++ == 0)
-    violations().seen.first = fmt::format("an operation {} vertex {}, which it did not claim", what, v.value());
+    violations().seen.first =
+        fmt::format("an operation {} vertex {}, which it did not claim", what, v.value());
 }
 
 void MeshEditor::require_face_claimed(FaceId f, const char* what) const {

@@ -1,5 +1,6 @@
-// The one way in which operations write to a mesh. With QUARRY_CHECK_CLAIMS each access is checked against the cavity
-// of the running operation, which finds a missing claim on one thread; without, it compiles to plain array accesses.
+// The one way in which operations write to a mesh. With QUARRY_CHECK_CLAIMS each access is checked against
+// the cavity of the running operation, which finds a missing claim on one thread; without, it compiles to
+// plain array accesses.
 #pragma once
 
 #include <cstdint>

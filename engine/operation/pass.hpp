@@ -1,16 +1,18 @@
 // The pass: runs local operations in parallel with the same outcome on any number of threads (deterministic
-// reservations: Blelloch, Fineman, Gibbons & Shun 2012). Each round takes a bounded window of the pending list:
-//   1. propose and claim: each item reads the mesh, names its cavity and writes its rank into the claim words;
+// reservations: Blelloch, Fineman, Gibbons & Shun 2012). Each round takes a bounded window of the pending
+// list:
+//   1. propose and claim: each item reads the mesh, names its cavity and writes its rank into the claim
+//   words;
 //   2. decide: who holds every one of its claims has won; new ids come from a scan in list order;
 //   3. apply: winners write, with no lock and no order among them.
 // Losers return to the front of the list in order, follow-ups go to its end in list order.
 //
 // An operation is a class with
-//   using Item = ...;  using Plan = ...;   // what is pending; what propose tells apply (both trivially copyable)
-//   bool propose(const Mesh&, Item, Cavity&, Plan&) const;      // false: nothing to do, the item is dropped
-//   void apply(MeshEditor&, Item, const Plan&, NewIds, FollowUps<Item>&) const;
-// propose must claim each vertex whose star it reads for a decision; apply touches claimed and new entities only.
-// Items must name what survives: vertices and own numbers, not sides that another flip may turn.
+//   using Item = ...;  using Plan = ...;   // what is pending; what propose tells apply (both trivially
+//   copyable) bool propose(const Mesh&, Item, Cavity&, Plan&) const;      // false: nothing to do, the item
+//   is dropped void apply(MeshEditor&, Item, const Plan&, NewIds, FollowUps<Item>&) const;
+// propose must claim each vertex whose star it reads for a decision; apply touches claimed and new entities
+// only. Items must name what survives: vertices and own numbers, not sides that another flip may turn.
 #pragma once
 
 #include <algorithm>
@@ -31,8 +33,9 @@ namespace quarry {
 // window and cutoff are constants of an operation and part of the output: never derive them from the machine.
 struct PassOptions {
   std::size_t window = 16384;  // items a round: cavities and claims of a round should stay in cache
-  std::uint32_t cutoff = 4;    // only ranks under 2^32 / cutoff propose in a round; 1 for cheap, check-like operations
-  bool reverse = false;        // apply winners last to first on one thread: a test that they are independent
+  std::uint32_t cutoff =
+      4;  // only ranks under 2^32 / cutoff propose in a round; 1 for cheap, check-like operations
+  bool reverse = false;  // apply winners last to first on one thread: a test that they are independent
 };
 
 struct PassReport {
@@ -113,7 +116,8 @@ class Pass {
     parallel::for_each_chunk(window_, detail::kPassChunk, [&](std::size_t begin, std::size_t end) {
       propose(chunks_[begin / detail::kPassChunk], begin, end);
     });
-    parallel::for_each(chunk_count_, [&](std::size_t i) { decide(chunks_[i]); }, 1);
+    parallel::for_each(
+        chunk_count_, [&](std::size_t i) { decide(chunks_[i]); }, 1);
     const NewIds first = reserve_ids();
     apply_all(first);
     collect();
@@ -172,14 +176,16 @@ class Pass {
 
   void apply_all(NewIds first) {
     if (!options_.reverse) {
-      parallel::for_each(chunk_count_, [&](std::size_t i) { apply(chunks_[i], first, false); }, 1);
+      parallel::for_each(
+          chunk_count_, [&](std::size_t i) { apply(chunks_[i], first, false); }, 1);
       return;
     }
     for (std::size_t i = chunk_count_; i-- > 0;) apply(chunks_[i], first, true);
   }
 
   void apply(Chunk& chunk, NewIds first, bool reverse) {
-    NewIds at{VertexId(first.vertex.value() + chunk.new_vertices), FaceId(first.face.value() + chunk.new_faces)};
+    NewIds at{VertexId(first.vertex.value() + chunk.new_vertices),
+              FaceId(first.face.value() + chunk.new_faces)};
     std::vector<std::pair<const typename Chunk::Record*, NewIds>> winners;
     for (const auto& record : chunk.records) {
       if (!record.won) continue;

@@ -23,6 +23,7 @@ struct Probe {
   std::atomic<int> sleep_microseconds{0};
   std::atomic<std::uint64_t> chunks{0};
   std::atomic<std::uint64_t> chunks_of_others{0};
+  std::atomic<bool> waited{false};
 };
 
 Probe& probe() {
@@ -30,11 +31,22 @@ Probe& probe() {
   return instance;
 }
 
+// On a busy machine a worker may take long to wake up, and all chunks may be gone by then: the caller gives
+// the first one some time, once a probe.
+void wait_for_a_worker() {
+  constexpr int kMostWaits = 2000;
+  if (probe().waited.exchange(true) || tbb::this_task_arena::max_concurrency() < 2) return;
+  for (int i = 0; i < kMostWaits && probe().chunks_of_others.load(std::memory_order_relaxed) == 0; ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+}
+
 void run_probed(std::size_t chunk, detail::ChunkBody body, std::thread::id caller) {
   const int sleep = probe().sleep_microseconds.load(std::memory_order_relaxed);
   if (sleep > 0) {
     probe().chunks.fetch_add(1, std::memory_order_relaxed);
-    if (std::this_thread::get_id() != caller)
+    if (std::this_thread::get_id() == caller)
+      wait_for_a_worker();
+    else
       probe().chunks_of_others.fetch_add(1, std::memory_order_relaxed);
     std::this_thread::sleep_for(std::chrono::microseconds(sleep));
   }
@@ -46,11 +58,11 @@ void run_probed(std::size_t chunk, detail::ChunkBody body, std::thread::id calle
 namespace detail {
 
 void run_chunks(std::size_t chunk_count, ChunkBody body) {
-  const std::thread::id caller = std::this_thread::get_id();
   if (chunk_count == 1) {
-    run_probed(0, body, caller);
+    body(0);
     return;
   }
+  const std::thread::id caller = std::this_thread::get_id();
   LoopOrder order;
   tbb::parallel_for(
       std::size_t{0}, chunk_count,
@@ -80,6 +92,7 @@ int hardware_threads() { return tbb::info::default_concurrency(); }
 ParticipationProbe::ParticipationProbe(int sleep_microseconds) {
   probe().chunks = 0;
   probe().chunks_of_others = 0;
+  probe().waited = false;
   probe().sleep_microseconds = sleep_microseconds;
 }
 

@@ -23,7 +23,8 @@ class TextLine {
     return *this;
   }
   template <class Number>
-  requires std::is_arithmetic_v<Number> TextLine& operator<<(Number value) {
+    requires std::is_arithmetic_v<Number>
+  TextLine& operator<<(Number value) {
     std::array<char, 32> digits{};
     const auto result = std::to_chars(digits.data(), digits.data() + digits.size(), value);
     text_.append(digits.data(), result.ptr);

@@ -40,7 +40,8 @@ class NodedLinesBuilder {
 };
 
 // Rays from one point, evenly spread over `turn` radians.
-inline NodedLines star(Vec2 center, double radius, int rays, double turn = 2 * std::numbers::pi, double first = 0.1) {
+inline NodedLines star(Vec2 center, double radius, int rays, double turn = 2 * std::numbers::pi,
+                       double first = 0.1) {
   NodedLinesBuilder builder;
   for (int i = 0; i < rays; ++i) {
     const double angle = first + turn * i / rays;
@@ -79,7 +80,8 @@ inline NodedLines random_segments(std::uint64_t seed, int wanted, double size, d
     bool clear = b.x > origin.x && b.y > origin.y && b.x < origin.x + size && b.y < origin.y + size;
     for (const auto& [c, d] : kept) {
       if (!clear) break;
-      const bool crosses = orient2d(a, b, c) * orient2d(a, b, d) <= 0 && orient2d(c, d, a) * orient2d(c, d, b) <= 0;
+      const bool crosses =
+          orient2d(a, b, c) * orient2d(a, b, d) <= 0 && orient2d(c, d, a) * orient2d(c, d, b) <= 0;
       clear = !crosses && !near(a, c, d) && !near(b, c, d) && !near(c, a, b) && !near(d, a, b);
     }
     if (clear) kept.emplace_back(a, b);

@@ -57,7 +57,13 @@ TEST(FilterIndices, KeepsOrder) {
 }
 
 TEST(WithThreads, PassesExceptionsOn) {
-  EXPECT_THROW(with_threads(4, [] { for_each(100'000, [](std::size_t i) { if (i == 77'777) throw 1; }); }), int);
+  EXPECT_THROW(with_threads(4,
+                            [] {
+                              for_each(100'000, [](std::size_t i) {
+                                if (i == 77'777) throw 1;
+                              });
+                            }),
+               int);
 }
 
 }  // namespace

@@ -25,7 +25,8 @@ TEST(SortedOrder, EqualsStdStableSortForAnyWidthOfKeys) {
       std::iota(expected.begin(), expected.end(), 0U);
       std::stable_sort(expected.begin(), expected.end(), [&](auto a, auto b) { return keys[a] < keys[b]; });
       for (const int threads : {1, 4})
-        with_threads(threads, [&] { EXPECT_EQ(sorted_order(keys), expected) << size << " keys, mask " << mask; });
+        with_threads(threads,
+                     [&] { EXPECT_EQ(sorted_order(keys), expected) << size << " keys, mask " << mask; });
     }
   }
 }

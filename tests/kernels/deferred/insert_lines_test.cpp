@@ -1,5 +1,3 @@
-#include "kernels/deferred/deferred.hpp"
-
 #include <algorithm>
 #include <cstdlib>
 #include <string>
@@ -12,6 +10,7 @@
 #include "engine/mesh/validate.hpp"
 #include "engine/operation/pass.hpp"
 #include "engine/parallel/parallel.hpp"
+#include "kernels/deferred/deferred.hpp"
 #include "kernels/deferred/insert_nodes.hpp"
 #include "kernels/deferred/insert_pieces.hpp"
 #include "kernels/initial/crisscross.hpp"
@@ -56,7 +55,8 @@ std::string check_chains(const Outcome& outcome, const NodedLines& lines, double
         const bool mine = u == end || tags.support[u] == Support::on(id);
         if (tags.constrained(s) && ahead && mine && std::abs(cross(r, d)) <= tolerance * length(d)) next = u;
       });
-      if (!next.valid() || steps > mesh.vertex_slots()) return "piece " + std::to_string(id.value()) + " is no chain";
+      if (!next.valid() || steps > mesh.vertex_slots())
+        return "piece " + std::to_string(id.value()) + " is no chain";
       v = next;
     }
   }
@@ -114,10 +114,11 @@ TEST(InsertLines, MakesEveryHardCaseAValidMeshWithEachPieceAChain) {
     EXPECT_EQ(check_chains(outcome, hard.lines, 1e-9), "");
     EXPECT_LT(outcome.mesh.face_slots(), 400'000U);
     if (std::getenv("QUARRY_TEST_VERBOSE") != nullptr)
-      std::printf("%-40s faces %zu fallbacks %lu rebuilt %lu splits %lu flips %lu attractions %lu rounds %lu + %lu\n",
-                  hard.name.c_str(), outcome.mesh.face_slots(), outcome.report.fallbacks, outcome.report.rebuilt,
-                  outcome.report.splits, outcome.report.flips, outcome.report.attractions,
-                  outcome.report.nodes.rounds, outcome.report.pieces.rounds);
+      std::printf(
+          "%-40s faces %zu fallbacks %lu rebuilt %lu splits %lu flips %lu attractions %lu rounds %lu + %lu\n",
+          hard.name.c_str(), outcome.mesh.face_slots(), outcome.report.fallbacks, outcome.report.rebuilt,
+          outcome.report.splits, outcome.report.flips, outcome.report.attractions,
+          outcome.report.nodes.rounds, outcome.report.pieces.rounds);
   }
 }
 
@@ -147,13 +148,15 @@ TEST(InsertLines, RandomSoupsGiveTheSameValidMeshOnAnyNumberOfThreads) {
         EXPECT_EQ(other.mesh.xs(), serial.mesh.xs()) << threads;
         EXPECT_EQ(other.mesh.ys(), serial.mesh.ys()) << threads;
       });
-      if (threads > 1) { EXPECT_GT(probe.chunks_of_other_threads(), 0U); }
+      if (threads > 1) {
+        EXPECT_GT(probe.chunks_of_other_threads(), 0U);
+      }
     }
   }
 }
 
-// A node that lies on the straight edge between two other nodes but for rounding: splitting the face that holds it
-// would leave a triangle without height, which no quads can be made of.
+// A node that lies on the straight edge between two other nodes but for rounding: splitting the face that
+// holds it would leave a triangle without height, which no quads can be made of.
 TEST(InsertLines, PutsANodeBesideAnEdgeOntoThatEdge) {
   const std::vector<FaceCorners> faces = {{VertexId(0U), VertexId(1U), VertexId(2U), VertexId()},
                                           {VertexId(1U), VertexId(0U), VertexId(3U), VertexId()}};
@@ -170,8 +173,9 @@ TEST(InsertLines, PutsANodeBesideAnEdgeOntoThatEdge) {
   EXPECT_EQ(validate(mesh, GeometryCheck::kPlanarCorners), "");
   EXPECT_EQ(mesh.face_slots(), 4U);
   for (const FaceId f : mesh.faces())
-    EXPECT_GT(orient2d(mesh.point(mesh.corner(f, 0)), mesh.point(mesh.corner(f, 1)), mesh.point(mesh.corner(f, 2))),
-              0.1);
+    EXPECT_GT(
+        orient2d(mesh.point(mesh.corner(f, 0)), mesh.point(mesh.corner(f, 1)), mesh.point(mesh.corner(f, 2))),
+        0.1);
 }
 
 TEST(InsertLines, AddsFurtherLinesToAMeshThatHasSome) {

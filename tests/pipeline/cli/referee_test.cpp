@@ -22,6 +22,7 @@ struct Job {
   const char* name;
   std::string lines;
   std::string boundary;
+  double size = 0;  // 0: a 150th of the longer side
 };
 
 void PrintTo(const Job& job, std::ostream* stream) { *stream << job.name; }
@@ -68,7 +69,7 @@ class SectionReferee : public testing::TestWithParam<Job> {
 TEST_P(SectionReferee, FindsNothingWrong) {
   const Job& job = GetParam();
   const TestFolder folder;
-  const double size = longer_side(job.lines) / 150;
+  const double size = job.size > 0 ? job.size : longer_side(job.lines) / 150;
   std::vector<std::string> arguments = {
       "mesh",     job.lines,        "-o", folder / "out.vtu", "--size", fmt::format("{}", size),
       "--report", folder / "r.json"};
@@ -85,7 +86,7 @@ TEST_P(SectionReferee, FindsNothingWrong) {
 std::string planar(const std::string& name) { return "../shared/data/planar/" + name + ".lines.geojson"; }
 
 INSTANTIATE_TEST_SUITE_P(Maps, SectionReferee,
-                         testing::Values(Job{"Demo", kDemoSection, ""},
+                         testing::Values(Job{"Demo", kDemoSection, "", 6},
                                          Job{"Kb11", planar("kb11_traces"), planar("kb11_area")},
                                          Job{"Hastholmen", planar("hastholmen_traces"), ""},
                                          Job{"Lineaments", planar("lineaments_200k"), ""},
