@@ -19,7 +19,7 @@ namespace quarry::linework {
 namespace {
 
 // Where bending does not settle the hits in this many rounds in a row, the paths are laid anew.
-constexpr std::uint32_t kRoundsOfBending = 8;
+constexpr std::uint32_t kRoundsOfBending = 32;
 // Dense soups of thousands of lines take a few dozen rounds; more than this is an error.
 constexpr std::uint32_t kRounds = 128;
 // How far an edge may be from its raw stretch before it is anchored, in snapping distances: more than the
