@@ -10,7 +10,7 @@
 
 #include "engine/base/error.hpp"
 #include "engine/geometry/segment.hpp"
-#include "engine/parallel/parallel.hpp"
+#include "kernels/linework/conflicts.hpp"
 #include "kernels/linework/nearest_course.hpp"
 #include "kernels/linework/node_buckets.hpp"
 #include "kernels/linework/raw_stretch.hpp"
@@ -30,36 +30,6 @@ constexpr double kDrift = 1.75;
 constexpr double kTooFar = 3;
 // Spacing of the samples of a raw line when it is laid, in snapping distances.
 constexpr double kSampling = 0.25;
-constexpr std::size_t kQueriesPerChunk = 256;
-
-// A node nearer than snap to an edge that does not end there.
-struct Hit {
-  NodeId node;
-  std::uint32_t edge;
-  double squared;  // distance
-};
-
-struct Crossing {
-  std::uint32_t first;
-  std::uint32_t second;
-};
-
-// Runs find(begin, end, found) over chunks of [0, size) and returns all that was found in order.
-template <class Found, class Find>
-std::vector<Found> gather(std::size_t size, Find&& find) {
-  return parallel::reduce_ordered(
-      size, std::vector<Found>(),
-      [&](std::size_t begin, std::size_t end) {
-        std::vector<Found> found;
-        find(begin, end, found);
-        return found;
-      },
-      [](std::vector<Found> all, std::vector<Found> part) {
-        all.insert(all.end(), part.begin(), part.end());
-        return all;
-      },
-      kQueriesPerChunk);
-}
 
 class Noder {
  public:
@@ -107,27 +77,8 @@ class Noder {
     return network_.edges[hit.edge].outline || (end_of_one_[n] == 1 && network_.degree[n] == 1);
   }
 
-  std::vector<Hit> find_hits(const std::vector<Segment>& segments, const SegmentGrid& grid) const {
-    return gather<Hit>(network_.nodes.size(),
-                       [&](std::size_t begin, std::size_t end, std::vector<Hit>& hits) {
-                         std::vector<std::uint32_t> near;
-                         for (std::size_t n = begin; n < end; ++n) {
-                           if (network_.degree[n] == 0) continue;
-                           const NodeId node(n);
-                           const Vec2 p = network_.nodes[node];
-                           grid.find(Box2{p, p}.grown(snap_), near);
-                           for (const std::uint32_t e : near) {
-                             const Edge& edge = network_.edges[e];
-                             if (edge.from == node || edge.to == node) continue;
-                             const double squared = squared_distance(p, segments[e].from, segments[e].to);
-                             if (squared < snap_ * snap_) hits.push_back({node, e, squared});
-                           }
-                         }
-                       });
-  }
-
   bool snap_nodes(const std::vector<Segment>& segments, const SegmentGrid& grid) {
-    const std::vector<Hit> hits = find_hits(segments, grid);
+    const std::vector<Hit> hits = find_hits(network_, segments, grid, snap_);
     if (hits.empty()) return false;
     require_rounds(network_.nodes[hits.front().node]);
     if (bending_rounds_ == 0) {
@@ -321,35 +272,8 @@ class Noder {
                     format_point(place.x, place.y), snap_));
   }
 
-  std::vector<Crossing> find_crossings(const std::vector<Segment>& segments, const SegmentGrid& grid) const {
-    const double step = 64 * snap_;
-    return gather<Crossing>(
-        segments.size(), [&](std::size_t begin, std::size_t end, std::vector<Crossing>& found) {
-          std::vector<std::uint32_t> near;
-          std::vector<std::uint32_t> part;
-          for (std::size_t e = begin; e < end; ++e) {
-            const auto [a, b] = segments[e];
-            near.clear();
-            // Along a long edge in short boxes, for the box of the whole would hold far too much.
-            const auto parts = static_cast<std::size_t>(std::clamp(distance(a, b) / step, 1.0, 256.0));
-            for (std::size_t k = 0; k < parts; ++k) {
-              Box2 box;
-              box.extend(point_at(static_cast<double>(k) / static_cast<double>(parts), a, b));
-              box.extend(point_at(static_cast<double>(k + 1) / static_cast<double>(parts), a, b));
-              grid.find(box.grown(snap_), part);
-              near.insert(near.end(), part.begin(), part.end());
-            }
-            std::sort(near.begin(), near.end());
-            near.erase(std::unique(near.begin(), near.end()), near.end());
-            for (const std::uint32_t f : near)
-              if (f > e && meeting(a, b, segments[f].from, segments[f].to) == Meeting::kProper)
-                found.push_back({static_cast<std::uint32_t>(e), f});
-          }
-        });
-  }
-
   bool node_crossings(const std::vector<Segment>& segments, const SegmentGrid& grid) {
-    const std::vector<Crossing> crossings = find_crossings(segments, grid);
+    const std::vector<Crossing> crossings = find_crossings(segments, grid, snap_);
     if (crossings.empty()) return false;
     require_rounds(segments[crossings.front().first].from);
     bending_rounds_ = kRoundsOfBending;
