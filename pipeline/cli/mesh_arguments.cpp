@@ -38,6 +38,10 @@ void add_shape_options(CLI::App& command, MeshArguments& arguments) {
   option("--preset", arguments.preset, "default|paper",
          "paper: constraint insertion as published (Araujo & Celes 2014), for comparison")
       ->check(one_of({"default", "paper"}));
+  option("--fronts", arguments.section.fronts, "N",
+         "alignment fronts go N steps away from the lines before triangles are paired; default 0, or 4 with "
+         "--preset paper")
+      ->check(CLI::Range(0, 100));
   option("--quads", arguments.quads, "cluster|matching",
          "how triangles become quadrilaterals; default cluster; matching is not built yet")
       ->check(one_of({"cluster", "matching"}));

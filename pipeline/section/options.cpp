@@ -12,6 +12,8 @@ namespace {
 // Bytes at the peak of a job, measured: see docs/results.md.
 constexpr double kBytesPerElement = 200;
 constexpr double kBytesOfAnyJob = 50e6;
+// Araujo & Celes 2014, section 3.2: 4 or 5 steps.
+constexpr int kPublishedFrontSteps = 4;
 // Equilateral triangles of side h take this share of h * h.
 constexpr double kTriangleArea = 0.4330127018922193;
 
@@ -24,6 +26,12 @@ double positive_or_default(const std::optional<double>& value, double fallback, 
 }
 
 }  // namespace
+
+int front_steps(const SectionOptions& options) {
+  if (options.elements != Elements::kQuad) return 0;
+  const int of_preset = options.preset == Preset::kPaper ? kPublishedFrontSteps : 0;
+  return options.fronts.value_or(of_preset);
+}
 
 double predict_elements(const SectionOptions& options, const Box2& box, double size) {
   const double cells = (box.width() / size + 1) * (box.height() / size + 1);

@@ -33,6 +33,9 @@ struct SectionOptions {
   std::optional<double> orient_degrees;
   bool orient_auto = false;  // along the direction that the lines prefer
   Preset preset = Preset::kDefault;
+  // Steps that alignment fronts take away from the lines before triangles are paired; unset: what the preset
+  // says (none, or 4 as published).
+  std::optional<int> fronts;
   std::uint64_t seed = 0;
   // Told before meshing begins: about how many elements and how many bytes of memory it will take.
   std::function<void(double elements, double bytes)> on_prediction;
@@ -49,6 +52,9 @@ struct ResolvedLengths {
 // Fills in defaults. area: of the domain, for --count. Throws Error(kUsage) for values that make no sense and
 // Error(kBudget) when more elements than max_elements are to be expected in the box.
 [[nodiscard]] ResolvedLengths resolve_lengths(const SectionOptions& options, const Box2& box, double area);
+
+// Steps of alignment fronts that the options and their preset ask for.
+[[nodiscard]] int front_steps(const SectionOptions& options);
 
 // About how many elements of the wanted size a box takes.
 [[nodiscard]] double predict_elements(const SectionOptions& options, const Box2& box, double size);

@@ -75,7 +75,8 @@ void insert(const SectionOptions& options, SectionResult& result, const Progress
 }
 
 void convert_to_quads(const SectionOptions& options, SectionResult& result, const Progress& progress) {
-  const QuadOptions quads = options.preset == Preset::kPaper ? paper_quad_options() : QuadOptions();
+  QuadOptions quads = options.preset == Preset::kPaper ? paper_quad_options() : QuadOptions();
+  quads.mixed.fronts.steps = front_steps(options);
   result.mesh = make_quads(std::move(result.mesh), result.cleaned.lines, quads, result.quads, progress);
 }
 

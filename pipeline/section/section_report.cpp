@@ -91,6 +91,7 @@ std::vector<ReportItem> resolved_options(const SectionOptions& options, const Se
           {"start", start_text(options)},
           {"orient", result.orient_degrees},
           {"preset", std::string(options.preset == Preset::kPaper ? "paper" : "default")},
+          {"fronts", whole(static_cast<std::uint64_t>(front_steps(options)))},
           {"quads", std::string("cluster")},
           {"cleanup", std::string("none")},
           {"seed", whole(options.seed)}};
