@@ -18,9 +18,13 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
+
+#include "engine/base/error.hpp"
 #include "engine/base/progress.hpp"
 #include "engine/mesh/mesh.hpp"
 #include "engine/operation/cavity.hpp"
@@ -35,6 +39,9 @@ struct PassOptions {
   std::size_t window = 16384;  // items a round: cavities and claims of a round should stay in cache
   std::uint32_t cutoff =
       4;  // only ranks under 2^32 / cutoff propose in a round; 1 for cheap, check-like operations
+  // Faces beyond which the pass ends with Error(kBudget): no estimate foresees the refinement that hard input
+  // asks for.
+  std::size_t max_faces = std::numeric_limits<std::uint32_t>::max() / 4;
   bool reverse = false;  // apply winners last to first on one thread: a test that they are independent
 };
 
@@ -97,6 +104,7 @@ class Pass {
     begin_ = 0;
     while (begin_ < pending_.size()) {
       progress.throw_if_cancelled();
+      require_budget();
       run_round();
     }
     return report_;
@@ -104,6 +112,15 @@ class Pass {
 
  private:
   using Chunk = detail::PassChunk<Operation>;
+
+  void require_budget() const {
+    if (mesh_.face_slots() <= options_.max_faces) return;
+    throw Error(
+        ErrorKind::kBudget,
+        fmt::format("the mesh has grown to {} faces and the lines ask for more: raise --max-elements, or "
+                    "take a larger --size, --snap or --min-edge",
+                    mesh_.face_slots()));
+  }
 
   void run_round() {
     window_ = std::min(options_.window, pending_.size() - begin_);

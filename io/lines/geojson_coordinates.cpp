@@ -28,8 +28,8 @@ const GeometryType* find_type(std::string_view name) {
   return nullptr;
 }
 
-// Beyond this, products of coordinates overflow in the exact predicates.
-constexpr double kLargest = 1e100;
+// Beyond this, products of four lengths overflow in exact predicates and quality measures.
+constexpr double kLargest = 1e60;
 
 }  // namespace
 

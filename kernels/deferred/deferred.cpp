@@ -95,7 +95,9 @@ InsertedLines insert_lines(Mesh& mesh, const NodedLines& lines, const DeferredOp
   const auto nodes =
       hilbert_list<NodeId>(old_nodes, lines.nodes.size(), box, [&](NodeId n) { return lines.nodes[n]; });
   for (const NodeId node : nodes) state.near_node[node] = grid.near(lines.nodes[node]);
-  report.nodes = run_pass(mesh, deferred::NodeInsertion(state), nodes, kNodePass, progress);
+  PassOptions pass = kNodePass;
+  pass.max_faces = options.max_faces;
+  report.nodes = run_pass(mesh, deferred::NodeInsertion(state), nodes, pass, progress);
   report.nodes.name = "nodes";
   check_all_reached(state);
 
@@ -105,7 +107,9 @@ InsertedLines insert_lines(Mesh& mesh, const NodedLines& lines, const DeferredOp
                                                                             : lines.pieces[piece].from];
   const auto pieces = hilbert_list<PieceId>(before.pieces, lines.pieces.size(), box,
                                             [&](PieceId p) { return state.from(p); });
-  report.pieces = run_pass(mesh, deferred::PieceInsertion(state), pieces, kPiecePass, progress);
+  pass = kPiecePass;
+  pass.max_faces = options.max_faces;
+  report.pieces = run_pass(mesh, deferred::PieceInsertion(state), pieces, pass, progress);
   report.pieces.name = "lines";
   check_all_connected(state, mesh);
 

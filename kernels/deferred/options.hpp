@@ -32,6 +32,7 @@ struct DeferredOptions {
   bool inverse_length_weights = false;  // the scale-dependent umbrella of the paper, w = 1 / length
   bool guard_star_minimum =
       true;  // a move never lowers the worst triangle of its star; else only min_quality
+  std::size_t max_faces = PassOptions().max_faces;  // beyond it the call ends with Error(kBudget)
   bool use_flips = true;
   bool several_targets = true;  // else the crossing alone is tried
   bool wedge_relative = true;   // quality limits follow the angle between pieces that share a node

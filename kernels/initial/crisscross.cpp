@@ -105,12 +105,6 @@ void fill_cell(Mesh& mesh, const Cells& cells, std::uint32_t i, std::uint32_t j)
 
 }  // namespace
 
-double count_crisscross_triangles(const Box2& box, const CrisscrossOptions& options) {
-  const double width = std::max(1.0, box.width() / options.cell);
-  const double height = std::max(1.0, box.height() / options.cell);
-  return 2 * (width + 2) * (height + 2);
-}
-
 Mesh make_crisscross(const Box2& box, const CrisscrossOptions& options) {
   const Lattice lattice = make_lattice(box, options);
   const Cells cells{static_cast<std::uint32_t>(lattice.x.count + 2),

@@ -19,7 +19,4 @@ struct CrisscrossOptions {
 // in rows. Vertices bear no tag.
 [[nodiscard]] Mesh make_crisscross(const Box2& box, const CrisscrossOptions& options);
 
-// The triangles that make_crisscross would make: for telling before doing.
-[[nodiscard]] double count_crisscross_triangles(const Box2& box, const CrisscrossOptions& options);
-
 }  // namespace quarry

@@ -11,6 +11,8 @@ namespace {
 
 // Bytes at the peak of a job, measured: see docs/results.md.
 constexpr double kBytesPerElement = 200;
+// Products of four lengths of a finer mesh would leave the range of normal numbers.
+constexpr double kSmallestDomain = 1e-50;
 constexpr double kBytesOfAnyJob = 50e6;
 // Araujo & Celes 2014, section 3.2: 4 or 5 steps.
 constexpr int kPublishedFrontSteps = 4;
@@ -41,6 +43,10 @@ double predict_elements(const SectionOptions& options, const Box2& box, double s
 double predict_bytes(double elements) { return kBytesOfAnyJob + kBytesPerElement * elements; }
 
 ResolvedLengths resolve_lengths(const SectionOptions& options, const Box2& box, double area) {
+  if (box.longer_side() < kSmallestDomain)
+    throw Error(ErrorKind::kInput,
+                fmt::format("the domain is {:.3g} wide: lengths so small underflow; use another unit",
+                            box.longer_side()));
   if (options.size.has_value() == options.count.has_value())
     throw Error(ErrorKind::kUsage, "give either --size or --count");
   ResolvedLengths lengths;

@@ -71,6 +71,10 @@ void insert(const SectionOptions& options, SectionResult& result, const Progress
   const double spacing = spacing_of(options, result.lengths.size);
   DeferredOptions deferred = options.preset == Preset::kPaper ? paper_options(spacing) : DeferredOptions();
   deferred.spacing = spacing;
+  // A triangle becomes two or three quads; the start mesh reaches beyond the outline.
+  const double triangles =
+      options.elements == Elements::kQuad ? 0.5 * options.max_elements : options.max_elements;
+  deferred.max_faces = result.mesh.face_slots() + static_cast<std::size_t>(triangles);
   (void)insert_lines(result.mesh, result.cleaned.lines, deferred, result.deferred, progress);
 }
 

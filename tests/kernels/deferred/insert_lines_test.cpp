@@ -246,6 +246,17 @@ TEST(InsertLines, NamesThePlaceWhereTwoPiecesCross) {
   }
 }
 
+TEST(InsertLines, EndsWhenTheMeshOutgrowsItsBudget) {
+  DeferredOptions options = with_spacing(2);
+  options.max_faces = 20'000;
+  try {
+    (void)insert(test::star({50.3, 49.8}, 40, 360), kBox, options);
+    FAIL() << "the budget was not kept";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::kBudget);
+  }
+}
+
 TEST(InsertLines, RefusesAPointOutsideTheMesh) {
   test::NodedLinesBuilder builder;
   builder.piece({10, 10}, {190, 90});

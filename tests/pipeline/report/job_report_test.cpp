@@ -25,7 +25,7 @@ JobReport sample_report() {
   report.input_files = {"a.geojson"};
   report.lines = IdVector<LineId, LedgerEntry>(2);
   report.lines[LineId(std::size_t{1})] = {
-      LineFate::kDropped, {LineId(std::size_t{0})}, "shorter than min-edge", 0.25, 0};
+      LineFate::kDropped, {LineId(std::size_t{0})}, "shorter than min-edge", 0.25, {}, 0};
   report.line_distances = IdVector<LineId, double>(2, std::numeric_limits<double>::quiet_NaN());
   report.line_distances[LineId(std::size_t{0})] = 0.125;
   report.regions = summarize_regions(mesh);
@@ -60,7 +60,7 @@ TEST(JobReport, TellsTheFateOfEachLine) {
   EXPECT_EQ(lines[0]["fate"], "kept");
   EXPECT_EQ(lines[1]["line"], 1);
   EXPECT_EQ(lines[1]["fate"], "dropped");
-  EXPECT_EQ(lines[1]["with"], nlohmann::json({0}));
+  EXPECT_EQ(lines[1]["with"], nlohmann::json::array({0}));
   EXPECT_EQ(lines[1]["why"], "shorter than min-edge");
   EXPECT_DOUBLE_EQ(lines[1]["moved"], 0.25);
 }
