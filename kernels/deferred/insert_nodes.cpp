@@ -55,18 +55,12 @@ bool NodeInsertion::propose_attract(const Mesh& mesh, const Attraction& best, Ca
 }
 
 bool NodeInsertion::propose_refine(const Mesh& mesh, FaceId face, Cavity& cavity, Plan& plan) const {
-  const SideId longest = longest_side(mesh, face);
-  const double floor2 = state_.floor_length * state_.floor_length;
-  if (squared_length(mesh.point(mesh.target(longest)) - mesh.point(mesh.origin(longest))) < floor2)
-    return false;
-  const SideId side = edge_to_split_first(mesh, state_, longest);
-  const Vec2 m = split_point(mesh, side);
-  if (!can_split_edge(mesh, side, m)) return false;
+  const auto refinement = propose_refinement(mesh, state_, longest_side(mesh, face), cavity);
+  if (!refinement) return false;
   plan.step = Step::kRefine;
-  plan.side = side;
-  plan.point = m;
-  plan.support = support_on_edge(mesh, state_, side);
-  claim_split_edge(mesh, side, cavity);
+  plan.side = refinement->side;
+  plan.point = refinement->point;
+  plan.support = refinement->support;
   return true;
 }
 

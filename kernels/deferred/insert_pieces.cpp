@@ -152,17 +152,12 @@ bool PieceInsertion::propose_reached(const Mesh& mesh, PieceId piece, const Exit
 }
 
 bool PieceInsertion::propose_refine(const Mesh& mesh, SideId crossed, Cavity& cavity, Plan& plan) const {
-  const double floor2 = state_.floor_length * state_.floor_length;
-  if (squared_length(mesh.point(mesh.target(crossed)) - mesh.point(mesh.origin(crossed))) < floor2)
-    return false;
-  const SideId side = edge_to_split_first(mesh, state_, crossed);
-  const Vec2 m = split_point(mesh, side);
-  if (!can_split_edge(mesh, side, m)) return false;
+  const auto refinement = propose_refinement(mesh, state_, crossed, cavity);
+  if (!refinement) return false;
   plan.step = Step::kRefine;
-  plan.side = side;
-  plan.point = m;
-  plan.support = support_on_edge(mesh, state_, side);
-  claim_split_edge(mesh, side, cavity);
+  plan.side = refinement->side;
+  plan.point = refinement->point;
+  plan.support = refinement->support;
   return true;
 }
 

@@ -1,10 +1,20 @@
 #include "kernels/deferred/refine.hpp"
 
+#include "kernels/local/split.hpp"
+
 namespace quarry::deferred {
 namespace {
 
 double squared_edge(const Mesh& mesh, SideId s) {
   return squared_length(mesh.point(mesh.target(s)) - mesh.point(mesh.origin(s)));
+}
+
+// What a vertex on the edge is bound to.
+Support support_on_edge(const Mesh& mesh, const State& state, SideId s) {
+  if (state.tags.constrained(s))
+    return Support::on(
+        state.finder.under_edge(state.tags.support[mesh.origin(s)], state.tags.support[mesh.target(s)]));
+  return mesh.neighbour(s).valid() ? Support::free() : Support::fixed();
 }
 
 }  // namespace
@@ -39,15 +49,13 @@ SideId edge_to_split_first(const Mesh& mesh, const State& state, SideId s) {
   }
 }
 
-Vec2 split_point(const Mesh& mesh, SideId s) {
-  return midpoint(mesh.point(mesh.origin(s)), mesh.point(mesh.target(s)));
-}
-
-Support support_on_edge(const Mesh& mesh, const State& state, SideId s) {
-  if (state.tags.constrained(s))
-    return Support::on(
-        state.finder.under_edge(state.tags.support[mesh.origin(s)], state.tags.support[mesh.target(s)]));
-  return mesh.neighbour(s).valid() ? Support::free() : Support::fixed();
+std::optional<Refinement> propose_refinement(const Mesh& mesh, const State& state, SideId s, Cavity& cavity) {
+  if (squared_edge(mesh, s) < state.floor_length * state.floor_length) return std::nullopt;
+  const SideId side = edge_to_split_first(mesh, state, s);
+  const Vec2 middle = midpoint(mesh.point(mesh.origin(side)), mesh.point(mesh.target(side)));
+  if (!can_split_edge(mesh, side, middle)) return std::nullopt;
+  claim_split_edge(mesh, side, cavity);
+  return Refinement{side, middle, support_on_edge(mesh, state, side)};
 }
 
 }  // namespace quarry::deferred

@@ -2,6 +2,8 @@
 // first, and the bisection.
 #pragma once
 
+#include <optional>
+
 #include "engine/operation/cavity.hpp"
 #include "engine/operation/editor.hpp"
 #include "kernels/deferred/state.hpp"
@@ -15,10 +17,16 @@ namespace quarry::deferred {
 // The longest edge of a face; ties go to the side of smallest index.
 [[nodiscard]] SideId longest_side(const Mesh& mesh, FaceId f);
 
-// The midpoint of an edge: on its piece where it is constrained. Exactly representable validity is for the
-// caller to test (can_split_edge).
-[[nodiscard]] Vec2 split_point(const Mesh& mesh, SideId s);
-// What a vertex on the edge is bound to.
-[[nodiscard]] Support support_on_edge(const Mesh& mesh, const State& state, SideId s);
+// A bisection: the edge, where, and what the new vertex is bound to.
+struct Refinement {
+  SideId side;
+  Vec2 point;
+  Support support;
+};
+
+// The bisection that brings that of s nearer, with its claims; none if s is shorter than the floor, or if
+// rounding leaves no valid bisection.
+[[nodiscard]] std::optional<Refinement> propose_refinement(const Mesh& mesh, const State& state, SideId s,
+                                                           Cavity& cavity);
 
 }  // namespace quarry::deferred
