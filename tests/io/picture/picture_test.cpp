@@ -11,12 +11,6 @@
 #include "tests/io/mesh/sample_mesh.hpp"
 #include "tests/io/mesh/temporary_folder.hpp"
 
-// fontconfig keeps what it has read until the process ends: under the address sanitizer that is no leak of
-// ours.
-extern "C" const char* __lsan_default_suppressions() {  // NOLINT: the sanitizer's own name
-  return "leak:libfontconfig\n";
-}
-
 namespace quarry {
 namespace {
 

@@ -134,7 +134,7 @@ TEST(DelaunayTriangulation, HoldsForThousandsOfSubsetsOfSmallGrids) {
     const int rows = 2 + static_cast<int>(seed / 6 % 5);
     std::vector<Vec2> points;
     for (const Vec2 p : square_lattice(columns, rows, {-2, 7}, 1))
-      if (uniform01(seed, points.size() + static_cast<std::uint64_t>(p.x * 64 + p.y)) < 0.6)
+      if (uniform01(seed, points.size() + static_cast<std::uint64_t>((p.x + 2) * 64 + p.y)) < 0.6)
         points.push_back(p);
     const bool on_a_line = std::all_of(points.begin(), points.end(), [&](Vec2 p) {
       return points.size() < 3 || orient2d(points.front(), points.back(), p) == 0;
