@@ -9,12 +9,11 @@
 namespace quarry::deferred {
 namespace {
 
-Location at_corner_or_edge(const Mesh& mesh, FaceId f, const double (&turn)[3]) {
+Location place_in_face(FaceId f, const double (&turn)[3]) {
   for (int k = 0; k < 3; ++k)
     if (turn[k] == 0 && turn[(k + 2) % 3] == 0) return {Place::kVertex, SideId(f, k)};
   for (int k = 0; k < 3; ++k)
     if (turn[k] == 0) return {Place::kEdge, SideId(f, k)};
-  (void)mesh;
   return {Place::kFace, SideId(f, 0)};
 }
 
@@ -36,7 +35,7 @@ Location locate(const Mesh& mesh, VertexId start, Vec2 p) {
         break;
       }
     }
-    if (!beyond.valid()) return at_corner_or_edge(mesh, f, turn);
+    if (!beyond.valid()) return place_in_face(f, turn);
     const SideId across = mesh.neighbour(beyond);
     if (!across.valid()) return {Place::kOutside, beyond};
     f = across.face();
