@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cstdlib>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -106,30 +105,27 @@ std::vector<Case> hard_cases() {
 
 const Box2 kBox{{0, 0}, {100, 100}};
 
-TEST(InsertLines, MakesEveryHardCaseAValidMeshWithEachPieceAChain) {
-  for (const Case& hard : hard_cases()) {
-    SCOPED_TRACE(hard.name);
-    const Outcome outcome = insert(hard.lines, kBox, with_spacing(2));
-    EXPECT_EQ(validate(outcome.mesh, GeometryCheck::kPlanarCorners), "");
-    EXPECT_EQ(check_chains(outcome, hard.lines, 1e-9), "");
-    EXPECT_LT(outcome.mesh.face_slots(), 400'000U);
-    if (std::getenv("QUARRY_TEST_VERBOSE") != nullptr)
-      std::printf(
-          "%-40s faces %zu fallbacks %lu rebuilt %lu splits %lu flips %lu attractions %lu rounds %lu + %lu\n",
-          hard.name.c_str(), outcome.mesh.face_slots(), outcome.report.fallbacks, outcome.report.rebuilt,
-          outcome.report.splits, outcome.report.flips, outcome.report.attractions,
-          outcome.report.nodes.rounds, outcome.report.pieces.rounds);
-  }
+// One test a case, so that the long ones run side by side.
+class HardCases : public testing::TestWithParam<std::size_t> {};
+
+TEST_P(HardCases, EndInAValidMeshWithEachPieceAChain) {
+  const Case hard = hard_cases()[GetParam()];
+  SCOPED_TRACE(hard.name);
+  const Outcome outcome = insert(hard.lines, kBox, with_spacing(2));
+  EXPECT_EQ(validate(outcome.mesh, GeometryCheck::kPlanarCorners), "");
+  EXPECT_EQ(check_chains(outcome, hard.lines, 1e-9), "");
+  EXPECT_LT(outcome.mesh.face_slots(), 400'000U);
 }
 
-TEST(InsertLines, PaperPresetKeepsTheSameGuarantees) {
-  for (const Case& hard : hard_cases()) {
-    SCOPED_TRACE(hard.name);
-    const Outcome outcome = insert(hard.lines, kBox, paper_options(2));
-    EXPECT_EQ(validate(outcome.mesh, GeometryCheck::kPlanarCorners), "");
-    EXPECT_EQ(check_chains(outcome, hard.lines, 1e-9), "");
-  }
+TEST_P(HardCases, HaveTheSameGuaranteesWithThePaperPreset) {
+  const Case hard = hard_cases()[GetParam()];
+  SCOPED_TRACE(hard.name);
+  const Outcome outcome = insert(hard.lines, kBox, paper_options(2));
+  EXPECT_EQ(validate(outcome.mesh, GeometryCheck::kPlanarCorners), "");
+  EXPECT_EQ(check_chains(outcome, hard.lines, 1e-9), "");
 }
+
+INSTANTIATE_TEST_SUITE_P(All, HardCases, testing::Range(std::size_t{0}, hard_cases().size()));
 
 TEST(InsertLines, RandomSoupsGiveTheSameValidMeshOnAnyNumberOfThreads) {
   for (const std::uint64_t seed : {1ULL, 2ULL, 3ULL, 4ULL}) {
