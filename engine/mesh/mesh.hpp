@@ -58,6 +58,11 @@ class Mesh {
     x_[v.value()] = p.x;
     y_[v.value()] = p.y;
   }
+  // Of a mesh in space.
+  void set_point3(VertexId v, Vec3 p) {
+    set_point(v, {p.x, p.y});
+    z_[v.value()] = p.z;
+  }
   [[nodiscard]] const std::vector<double>& xs() const { return x_; }
   [[nodiscard]] const std::vector<double>& ys() const { return y_; }
   [[nodiscard]] const std::vector<double>& zs() const { return z_; }

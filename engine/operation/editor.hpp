@@ -29,6 +29,15 @@ class MeshEditor {
     check_vertex(v, "moves");
     mesh_->set_point(v, p);
   }
+  // The same in space.
+  [[nodiscard]] Vec3 point3(VertexId v) const {
+    check_vertex(v, "reads the point of");
+    return mesh_->point3(v);
+  }
+  void set_point3(VertexId v, Vec3 p) {
+    check_vertex(v, "moves");
+    mesh_->set_point3(v, p);
+  }
   [[nodiscard]] SideId side_of(VertexId v) const {
     check_vertex(v, "reads the star of");
     return mesh_->side_of(v);

@@ -85,6 +85,10 @@ void run_with_threads(int threads, ChunkBody body) {
   });
 }
 
+void run_isolated(ChunkBody body) {
+  tbb::this_task_arena::isolate([&] { body(0); });
+}
+
 }  // namespace detail
 
 int hardware_threads() { return tbb::info::default_concurrency(); }

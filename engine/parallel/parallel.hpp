@@ -35,6 +35,7 @@ class ChunkBody {
 
 void run_chunks(std::size_t chunk_count, ChunkBody body);
 void run_with_threads(int threads, ChunkBody body);
+void run_isolated(ChunkBody body);
 
 }  // namespace detail
 
@@ -114,6 +115,14 @@ template <class Job>
 void with_threads(int threads, Job&& job) {
   auto run = [&](std::size_t) { job(); };
   detail::run_with_threads(threads, detail::ChunkBody(run));
+}
+
+// Runs job(). While the loops in it wait for their last chunks, this thread takes up no chunk of a loop
+// outside it: needed around loops in a chunk that uses memory kept for each thread.
+template <class Job>
+void isolated(Job&& job) {
+  auto run = [&](std::size_t) { job(); };
+  detail::run_isolated(detail::ChunkBody(run));
 }
 
 [[nodiscard]] int hardware_threads();

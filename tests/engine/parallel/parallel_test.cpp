@@ -56,6 +56,25 @@ TEST(FilterIndices, KeepsOrder) {
   for (std::size_t i = 0; i < kept.size(); ++i) ASSERT_EQ(kept[i], 3 * i + 1);
 }
 
+TEST(Isolated, KeepsAThreadThatWaitsFromStartingAnotherChunkOfTheLoopOutside) {
+  static thread_local int inside = 0;
+  std::vector<int> nested(200, 0);
+  with_threads(4, [&] {
+    for_each(
+        nested.size(),
+        [&](std::size_t i) {
+          nested[i] = inside++;
+          isolated([&] {
+            for_each(
+                64, [](std::size_t k) { (void)sum_of_harmonics(1000 + k); }, 1);
+          });
+          --inside;
+        },
+        1);
+  });
+  EXPECT_EQ(std::count(nested.begin(), nested.end(), 0), 200);
+}
+
 TEST(WithThreads, PassesExceptionsOn) {
   EXPECT_THROW(with_threads(4,
                             [] {

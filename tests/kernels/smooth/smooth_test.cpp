@@ -6,31 +6,18 @@
 #include "engine/geometry/segment.hpp"
 #include "engine/mesh/validate.hpp"
 #include "engine/parallel/parallel.hpp"
-#include "kernels/cluster/merge.hpp"
-#include "kernels/cluster/subdivide.hpp"
 #include "kernels/quality/face.hpp"
 #include "kernels/smooth/laplacian.hpp"
 #include "kernels/smooth/optimise.hpp"
 #include "kernels/smooth/square_corners.hpp"
 #include "kernels/smooth/star.hpp"
-#include "tests/support/synthetic_mesh.hpp"
+#include "tests/kernels/smooth/quads_with_lines.hpp"
 
 namespace quarry {
 namespace {
 
-struct QuadsWithLines {
-  Mesh mesh;
-  NodedLines lines;
-};
-
-QuadsWithLines make_quads(const test::SyntheticOptions& options) {
-  test::SyntheticMesh made = test::make_synthetic(options);
-  PairingReport paired;
-  const Pairing pairing = pair_triangles(made.mesh, made.tags, {}, paired, Progress());
-  SubdivideReport report;
-  Mesh quads = subdivide(merge_pairs(std::move(made.mesh), pairing), made.lines, report, Progress());
-  return {std::move(quads), std::move(made.lines)};
-}
+using test::make_quads;
+using test::QuadsWithLines;
 
 double mean_scaled_jacobian(const Mesh& mesh) {
   double sum = 0;

@@ -1,0 +1,7 @@
+#include "kernels/smooth/local_smoother_code.hpp"
+
+namespace quarry {
+
+template class LocalSmoother<PlaneModel>;
+
+}  // namespace quarry

@@ -1,0 +1,197 @@
+#include "kernels/smooth/shape_star.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace quarry {
+namespace {
+
+// Triangles cost as much as the three corners of a quad that a move of the vertex changes would, if regular.
+constexpr double kTriangleWeight = 3.0 / 3.46410161513775459;
+
+// The cost of one corner is squares / d; both with their derivatives by the place of the vertex.
+struct Corner {
+  double squares;
+  Vec2 squares_slope;
+  double squares_curvature;  // in every direction
+  double d;
+  Vec2 d_slope;
+};
+
+// Calls visit(Corner) for each corner of the face that changes with the vertex.
+template <class Visit>
+inline void for_each_corner(const ShapeFace& face, Vec2 offset, const Visit& visit) {
+  const Vec2 out = face.next - offset;
+  const Vec2 back = face.previous - offset;
+  const double oo = squared_length(out);
+  const double bb = squared_length(back);
+  const double d = cross(out, back);
+  const Vec2 d_slope{face.next.y - face.previous.y, face.previous.x - face.next.x};
+  if (!face.quad) {
+    visit(Corner{kTriangleWeight * (oo + bb + face.far_next_squared), -2 * kTriangleWeight * (out + back),
+                 4 * kTriangleWeight, d, d_slope});
+    return;
+  }
+  const double r = face.stretch;
+  const double inverse = 1 / r;
+  visit(Corner{inverse * oo + r * bb, -2 * (inverse * out + r * back), 2 * (inverse + r), d, d_slope});
+  visit(Corner{inverse * oo + r * face.far_next_squared, (-2 * inverse) * out, 2 * inverse,
+               cross(out, face.far_next), Vec2{-face.far_next.y, face.far_next.x}});
+  visit(Corner{r * bb + inverse * face.far_previous_squared, (-2 * r) * back, 2 * r,
+               cross(back, face.far_previous), Vec2{-face.far_previous.y, face.far_previous.x}});
+}
+
+// chi with its derivatives divided by it.
+struct Chi {
+  double value, slope, curvature;
+};
+
+Chi regularised(double d, double eps) {
+  const double root = std::sqrt(d * d + eps * eps);
+  // Without cancellation on either side.
+  const double value = d > 0 ? 0.5 * (d + root) : 0.5 * eps * eps / (root - d);
+  return {value, 1 / root, 0.5 * eps * eps / (root * root * root * value)};
+}
+
+double regularised_value(double d, double eps) {
+  const double root = std::sqrt(d * d + eps * eps);
+  return d > 0 ? 0.5 * (d + root) : 0.5 * eps * eps / (root - d);
+}
+
+// squares / chi and its derivatives.
+void add_cost(const Corner& c, const Chi& chi, double size, double area, Quadratic& sum) {
+  const double inverse = 1 / chi.value;
+  const double cost = (c.squares + size * area) * inverse;
+  const double pull = size / area;
+  const Vec2 slope = inverse * c.squares_slope;
+  sum.value += cost + pull * c.d;
+  sum.gradient = sum.gradient + slope - (cost * chi.slope - pull) * c.d_slope;
+  const double square = cost * (2 * chi.slope * chi.slope - chi.curvature);
+  const double mixed = -chi.slope;
+  const double round = inverse * c.squares_curvature;
+  sum.xx += round + c.d_slope.x * (2 * mixed * slope.x + square * c.d_slope.x);
+  sum.yy += round + c.d_slope.y * (2 * mixed * slope.y + square * c.d_slope.y);
+  sum.xy += mixed * (slope.x * c.d_slope.y + slope.y * c.d_slope.x) + square * c.d_slope.x * c.d_slope.y;
+}
+
+// Of a face with the vertex somewhere: what its limits are held against, without a square root.
+struct FaceLimits {
+  double smallest_sine;      // s |s| of the smallest corner sine s
+  double shortest, longest;  // squared lengths of edges
+
+  FaceLimits(const ShapeFace& face, Vec2 offset) {
+    const Vec2 out = face.next - offset;
+    const Vec2 back = face.previous - offset;
+    const double oo = squared_length(out);
+    const double bb = squared_length(back);
+    const double ff = face.far_next_squared;
+    const double pp = face.far_previous_squared;
+    const auto corner = [](double d, double lengths) {
+      return lengths > 0 ? d * std::abs(d) / lengths : -1.0;
+    };
+    smallest_sine = std::min({corner(cross(out, back), oo * bb), corner(cross(out, face.far_next), oo * ff),
+                              corner(cross(back, face.far_previous), bb * pp)});
+    if (face.quad)
+      smallest_sine = std::min(smallest_sine, corner(cross(face.far_next, face.far_previous), ff * pp));
+    shortest = std::min({oo, bb, ff, pp});
+    longest = std::max({oo, bb, ff, pp});
+  }
+};
+
+}  // namespace
+
+ShapeFace& ShapeStar::add() {
+  if (count_ == faces_.size()) faces_.emplace_back();
+  return faces_[count_++];
+}
+
+void ShapeStar::add_quad(Vec2 next, Vec2 opposite, Vec2 previous, double area) {
+  ShapeFace& face = add();
+  face.next = next;
+  face.previous = previous;
+  face.far_next = opposite - next;
+  face.far_previous = previous - opposite;
+  face.far_next_squared = squared_length(face.far_next);
+  face.far_previous_squared = squared_length(face.far_previous);
+  face.area = area;
+  face.stretch = 1;
+  face.quad = true;
+}
+
+void ShapeStar::add_triangle(Vec2 next, Vec2 previous, double area) {
+  ShapeFace& face = add();
+  face.next = next;
+  face.previous = previous;
+  face.far_next = previous - next;
+  face.far_previous = face.far_next;
+  face.far_next_squared = squared_length(face.far_next);
+  face.far_previous_squared = face.far_next_squared;
+  face.area = area;
+  face.stretch = 1;
+  face.quad = false;
+}
+
+void ShapeStar::freeze_stretch() {
+  const double limit = target_.largest_aspect * target_.largest_aspect;
+  for (ShapeFace& face : std::span(faces_).first(count_)) {
+    if (!face.quad) continue;
+    // The lines between the middles of opposite edges: two vectors, and no square root for each edge.
+    const double along = squared_length(face.next - face.far_previous);
+    const double across = squared_length(face.previous + face.far_next);
+    const double squared = std::clamp(along / across, 1 / limit, limit);
+    face.stretch = target_.rectangle == 1 ? std::sqrt(squared) : std::pow(squared, 0.5 * target_.rectangle);
+  }
+}
+
+double ShapeStar::mean_squared_edge() const {
+  double sum = 0;
+  for (const ShapeFace& face : faces()) sum += squared_length(face.next) + squared_length(face.previous);
+  return sum / static_cast<double>(2 * count_);
+}
+
+double ShapeStar::value(Vec2 offset, double regularisation) const {
+  double sum = 0;
+  bool positive = true;
+  for (const ShapeFace& face : faces()) {
+    const double eps = regularisation * face.area;
+    const double added = target_.size_weight * face.area;
+    const double pull = target_.size_weight / face.area;
+    for_each_corner(face, offset, [&](const Corner& c) {
+      positive = positive && c.d > 0;
+      sum += (c.squares + added) / (eps > 0 ? regularised_value(c.d, eps) : c.d) + pull * c.d;
+    });
+  }
+  return regularisation > 0 || positive ? sum : std::numeric_limits<double>::infinity();
+}
+
+Quadratic ShapeStar::expand(double regularisation) const {
+  Quadratic sum;
+  bool positive = true;
+  for (const ShapeFace& face : faces()) {
+    const double eps = regularisation * face.area;
+    for_each_corner(face, {}, [&](const Corner& c) {
+      positive = positive && c.d > 0;
+      const Chi chi = eps > 0 ? regularised(c.d, eps) : Chi{c.d, 1 / c.d, 0};
+      add_cost(c, chi, target_.size_weight, face.area, sum);
+    });
+  }
+  if (!positive && !(regularisation > 0)) sum.value = std::numeric_limits<double>::infinity();
+  return sum;
+}
+
+bool ShapeStar::keeps(Vec2 offset, double floor, double largest_edge_ratio) const {
+  const double ratio = largest_edge_ratio * largest_edge_ratio;
+  for (const ShapeFace& face : faces()) {
+    const FaceLimits after(face, offset);
+    const bool flat = after.smallest_sine < floor * floor;
+    const bool long_drawn = after.longest > ratio * after.shortest;
+    if (!flat && !long_drawn) continue;
+    const FaceLimits before(face, {});
+    if (flat && after.smallest_sine < before.smallest_sine) return false;
+    if (long_drawn && after.longest * before.shortest > before.longest * after.shortest) return false;
+  }
+  return true;
+}
+
+}  // namespace quarry

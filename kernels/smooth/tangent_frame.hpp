@@ -1,0 +1,70 @@
+// The neighbourhood of a point of the domain as places in the plane, so that what moves vertices is written
+// once: on the plane differences of coordinates, on a surface coordinates in the tangent plane at the point.
+#pragma once
+
+#include <cmath>
+#include <type_traits>
+
+#include "engine/geometry/model.hpp"
+#include "engine/operation/editor.hpp"
+
+namespace quarry {
+
+template <class Point>
+class TangentFrame;
+
+template <>
+class TangentFrame<Vec2> {
+ public:
+  TangentFrame(Vec2 place, Vec3 /*normal*/) : place_(place) {}
+  [[nodiscard]] Vec2 relative(Vec2 p) const { return p - place_; }
+  [[nodiscard]] Vec2 at(Vec2 offset) const { return place_ + offset; }
+
+ private:
+  Vec2 place_;
+};
+
+template <>
+class TangentFrame<Vec3> {
+ public:
+  // normal: of length 1. The frame turns left seen from where it points to.
+  TangentFrame(Vec3 place, Vec3 normal) : place_(place) {
+    // The axis that is least along the normal gives the first direction without cancellation.
+    const Vec3 size{std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)};
+    Vec3 axis{0, 0, 1};
+    if (size.x <= size.y && size.x <= size.z)
+      axis = {1, 0, 0};
+    else if (size.y <= size.z)
+      axis = {0, 1, 0};
+    const Vec3 first = axis - dot(axis, normal) * normal;
+    first_ = (1.0 / length(first)) * first;
+    second_ = cross(normal, first_);
+  }
+  [[nodiscard]] Vec2 relative(Vec3 p) const {
+    const Vec3 edge = p - place_;
+    return {dot(edge, first_), dot(edge, second_)};
+  }
+  [[nodiscard]] Vec3 at(Vec2 offset) const { return place_ + offset.x * first_ + offset.y * second_; }
+
+ private:
+  Vec3 place_, first_, second_;
+};
+
+// The frame of a model at one of its points.
+template <GeometryModel Model>
+TangentFrame<typename Model::Point> frame_at(const Model& model, const typename Model::Point& place) {
+  return {place, model.normal(place)};
+}
+
+// Reads and writes a vertex as a point of the model.
+template <class Point>
+Point place_of(const MeshEditor& editor, VertexId v) {
+  if constexpr (std::is_same_v<Point, Vec2>)
+    return editor.point(v);
+  else
+    return editor.point3(v);
+}
+inline void set_place(MeshEditor& editor, VertexId v, Vec2 p) { editor.set_point(v, p); }
+inline void set_place(MeshEditor& editor, VertexId v, Vec3 p) { editor.set_point3(v, p); }
+
+}  // namespace quarry
