@@ -13,6 +13,7 @@
 #include "kernels/linework/conflicts.hpp"
 #include "kernels/linework/nearest_course.hpp"
 #include "kernels/linework/node_buckets.hpp"
+#include "kernels/linework/node_places.hpp"
 #include "kernels/linework/raw_stretch.hpp"
 
 namespace quarry::linework {
@@ -38,9 +39,7 @@ class Noder {
         snap_(snap),
         too_far_(std::min(budget, kTooFar * snap)),
         counts_(counts),
-        buckets_(network.nodes.empty() ? Vec2{} : network.nodes[NodeId(0U)], std::numbers::sqrt2 * snap) {
-    mark_ends_and_outline();
-  }
+        places_(network, std::numbers::sqrt2 * snap) {}
 
   void run(const Progress& progress) {
     for (;;) {
@@ -56,25 +55,10 @@ class Noder {
   }
 
  private:
-  // Nodes that may move: ends of a single line onto another line, and all but the outline's own onto the
-  // outline.
-  void mark_ends_and_outline() {
-    const std::size_t size = network_.nodes.size();
-    end_of_one_.assign(size, 0);
-    on_outline_.assign(size, 0);
-    for (const Path& path : network_.paths) {
-      for (const PathStep& step : path.steps)
-        if (path.outline) on_outline_[step.node.value()] = 1;
-      if (path.steps.size() < 2) continue;
-      for (const PathStep& end : {path.steps.front(), path.steps.back()}) ++end_of_one_[end.node.value()];
-    }
-    for (const NodeId node : IdRange<NodeId>(size)) buckets_.insert(node, network_.nodes[node]);
-  }
-
   bool may_move_to(const Hit& hit) const {
-    const std::uint32_t n = hit.node.value();
-    if (on_outline_[n] != 0) return false;
-    return network_.edges[hit.edge].outline || (end_of_one_[n] == 1 && network_.degree[n] == 1);
+    if (places_.on_outline(hit.node)) return false;
+    return network_.edges[hit.edge].outline ||
+           (places_.ends_one_path(hit.node) && network_.degree[hit.node.value()] == 1);
   }
 
   bool snap_nodes(const std::vector<Segment>& segments, const SegmentGrid& grid) {
@@ -87,7 +71,7 @@ class Noder {
     }
     if (bending_rounds_ > 0) --bending_rounds_;
     std::vector<Insertion> insertions;
-    begin_merging();
+    places_.begin_merging();
     for (std::size_t i = 0; i < hits.size();) {
       std::size_t end = i;
       while (end < hits.size() && hits[end].node == hits[i].node) ++end;
@@ -96,7 +80,7 @@ class Noder {
     }
     counts_.bends += static_cast<std::uint32_t>(insertions.size());
     network_.insert(insertions);
-    finish_merging();
+    places_.finish_merging();
     anchor_drifting_paths();
     return true;
   }
@@ -133,12 +117,7 @@ class Noder {
 
   bool lay_anew(Path& path, const std::vector<std::uint8_t>& marked) {
     const std::span<const Vec2> raw = network_.raw[path.raw].points;
-    const auto node_at = [&](Vec2 p) {
-      const NodeId near = buckets_.nearest(p);
-      const NodeId node = near.valid() ? near : add_node(p, path.outline);
-      if (path.outline) on_outline_[node.value()] = 1;
-      return node;
-    };
+    const auto node_at = [&](Vec2 p) { return places_.at(p, path.outline); };
     const std::vector<PathStep> before = path.steps;
     const std::vector<Window> windows = windows_around(network_, path, marked, std::numbers::sqrt2 * snap_);
     for (PathStep* end : {&path.steps.front(), &path.steps.back()}) {
@@ -173,8 +152,8 @@ class Noder {
         const double at = anchor(path, i);
         if (!(at > path.steps[i].at && at < path.steps[i + 1].at)) continue;
         const Vec2 place = raw_point(network_.raw[path.raw].points, at);
-        if (buckets_.nearest(place).valid()) continue;
-        const NodeId node = add_node(place, path.outline);
+        if (places_.nearest(place).valid()) continue;
+        const NodeId node = places_.add(place, path.outline);
         path.steps.insert(path.steps.begin() + static_cast<std::ptrdiff_t>(i) + 1, {node, at});
         ++counts_.anchors;
       }
@@ -213,54 +192,10 @@ class Noder {
     };
     for (const Hit& hit : hits)
       if (may_move_to(hit) && (best == nullptr || rank(hit) < rank(*best))) best = &hit;
-    if (best != nullptr) move_onto(best->node, best->edge, segments);
-  }
-
-  void move_onto(NodeId node, std::uint32_t edge, const std::vector<Segment>& segments) {
-    if (root(node) != node) return;
-    const Vec2 foot = closest_point(network_.nodes[node], segments[edge].from, segments[edge].to);
-    if (network_.edges[edge].outline) {
-      (void)put_on_outline(node, foot);
-    } else if (!buckets_.nearest(foot, node).valid()) {
-      end_of_one_[node.value()] = 0;
-      move(node, foot);
-    }
-  }
-
-  void move(NodeId node, Vec2 to) {
-    buckets_.remove(node);
-    network_.nodes[node] = to;
-    buckets_.insert(node, to);
-  }
-
-  // Moves a node to a place on the outline; nodes that are too near to that place become one with it, so that
-  // nodes stay apart. Returns the node that stands there in the end.
-  NodeId put_on_outline(NodeId node, Vec2 place) {
-    for (NodeId near = buckets_.nearest(place, node); near.valid(); near = buckets_.nearest(place, node)) {
-      const bool stays = on_outline_[near.value()] != 0;
-      const NodeId gone = stays ? node : near;
-      substitute_[gone] = stays ? near : node;
-      buckets_.remove(gone);
-      if (stays) return near;
-    }
-    on_outline_[node.value()] = 1;
-    move(node, place);
-    return node;
-  }
-
-  void begin_merging() {
-    substitute_ = IdVector<NodeId, NodeId>(network_.nodes.size());
-    for (const NodeId node : IdRange<NodeId>(substitute_.size())) substitute_[node] = node;
-  }
-
-  NodeId root(NodeId node) const {
-    while (substitute_[node] != node) node = substitute_[node];
-    return node;
-  }
-
-  void finish_merging() {
-    for (const NodeId node : IdRange<NodeId>(substitute_.size())) substitute_[node] = root(node);
-    network_.substitute(substitute_);
+    if (best == nullptr) return;
+    const Segment& edge = segments[best->edge];
+    places_.move(best->node, closest_point(network_.nodes[best->node], edge.from, edge.to),
+                 network_.edges[best->edge].outline);
   }
 
   void require_rounds(Vec2 place) const {
@@ -277,7 +212,7 @@ class Noder {
     if (crossings.empty()) return false;
     require_rounds(segments[crossings.front().first].from);
     bending_rounds_ = kRoundsOfBending;
-    begin_merging();
+    places_.begin_merging();
     std::vector<Insertion> insertions;
     for (const Crossing& crossing : crossings) {
       const NodeId node = node_of_crossing(crossing, segments);
@@ -286,7 +221,7 @@ class Noder {
           insertions.push_back(insertion_of(node, e, segments));
     }
     network_.insert(insertions);
-    finish_merging();
+    places_.finish_merging();
     return true;
   }
 
@@ -299,32 +234,20 @@ class Noder {
     const bool second_outline = network_.edges[crossing.second].outline;
     if (first_outline) x = closest_point(x, first.from, first.to);
     if (!first_outline && second_outline) x = closest_point(x, second.from, second.to);
-    const NodeId near = buckets_.nearest(x);
+    const NodeId near = places_.nearest(x);
     const bool outline = first_outline || second_outline;
-    if (near.valid() && (!outline || on_outline_[near.value()] != 0)) return near;
+    if (near.valid() && (!outline || places_.on_outline(near))) return near;
     // Rather the node onto the outline than the outline through the node.
-    if (near.valid()) return put_on_outline(near, x);
+    if (near.valid()) return places_.put_on_outline(near, x);
     ++counts_.crossings;
-    return add_node(x, outline);
-  }
-
-  NodeId add_node(Vec2 at, bool outline) {
-    const NodeId node = network_.nodes.push_back(at);
-    buckets_.insert(node, at);
-    substitute_.push_back(node);
-    on_outline_.push_back(outline ? 1 : 0);
-    end_of_one_.push_back(0);
-    return node;
+    return places_.add(x, outline);
   }
 
   PathNetwork& network_;
   double snap_;
   double too_far_;
   CleanCounts& counts_;
-  NodeBuckets buckets_;
-  std::vector<std::uint32_t> end_of_one_;  // how many paths end at the node; 0 once it has moved
-  std::vector<std::uint8_t> on_outline_;
-  IdVector<NodeId, NodeId> substitute_;
+  NodePlaces places_;
   std::uint32_t bending_rounds_ = kRoundsOfBending;
 };
 
