@@ -1,6 +1,7 @@
 #include "kernels/quality/summary.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "engine/parallel/parallel.hpp"
@@ -125,6 +126,24 @@ Extent measure_extent(const Mesh& mesh) {
       });
 }
 
+double unsigned_area(const Mesh& mesh, FaceId f) {
+  return std::abs(measure_face(mesh, f, [](auto... corners) { return signed_area(corners...); }));
+}
+
+AreaPercentiles measure_area_percentiles(const Mesh& mesh) {
+  const std::vector<std::uint32_t> faces =
+      parallel::filter_indices(mesh.face_slots(), [&](std::size_t i) { return mesh.alive(FaceId(i)); });
+  if (faces.empty()) return {};
+  std::vector<double> areas(faces.size());
+  parallel::for_each(faces.size(), [&](std::size_t i) { areas[i] = unsigned_area(mesh, FaceId(faces[i])); });
+  const auto at_share = [&](double share) {
+    const auto rank = static_cast<std::ptrdiff_t>(share * static_cast<double>(areas.size() - 1) + 0.5);
+    std::nth_element(areas.begin(), areas.begin() + rank, areas.end());
+    return areas[static_cast<std::size_t>(rank)];
+  };
+  return {at_share(0.01), at_share(0.99)};
+}
+
 struct Shapes {
   ShapeSummary triangles = no_faces();
   ShapeSummary quads = no_faces();
@@ -205,6 +224,7 @@ QualitySummary summarize_quality(const Mesh& mesh) {
   const Extent extent = measure_extent(mesh);
   summary.area = std::abs(extent.area);
   summary.boundary_length = extent.boundary;
+  summary.face_area = measure_area_percentiles(mesh);
   const Shapes shapes = measure_shapes(mesh, extent.area < 0);
   summary.triangles = finished(shapes.triangles);
   summary.quads = finished(shapes.quads);

@@ -60,11 +60,21 @@ struct ValenceSummary {
   }
 };
 
+// How even the sizes are: a face is smaller than `first` in one of a hundred, larger than `last` in one of a
+// hundred (nearest rank). In square input units; 0 without faces.
+struct AreaPercentiles {
+  double first = 0;
+  double last = 0;
+
+  [[nodiscard]] double ratio() const { return first > 0 ? last / first : 0.0; }
+};
+
 struct QualitySummary {
   std::size_t vertices = 0;
   std::size_t edges = 0;  // entities: constraint and boundary edges
   double area = 0;        // never negative: faces count by the orientation that most of the area has
   double boundary_length = 0;
+  AreaPercentiles face_area;
   ShapeSummary triangles;
   ShapeSummary quads;
   ShapeSummary all;  // both

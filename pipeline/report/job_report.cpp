@@ -60,6 +60,9 @@ Json json_of(const QualitySummary& quality) {
   object["quads"] = quality.quads.faces;
   object["area"] = quality.area;
   object["boundary_length"] = quality.boundary_length;
+  object["face_area"] = {{"percentile_1", quality.face_area.first},
+                         {"percentile_99", quality.face_area.last},
+                         {"ratio", quality.face_area.ratio()}};
   object.update(json_of(quality.all));
   // With both sorts of faces, measures that mean different things for them are told apart as well.
   if (quality.triangles.faces != 0 && quality.quads.faces != 0) {
@@ -136,6 +139,7 @@ std::string report_text(const JobReport& report) {
   json["options"] = json_of(report.options);
   json["counts"] = json_of(report.counts);
   json["quality"] = json_of(report.quality);
+  if (report.quality_before) json["quality_before"] = json_of(*report.quality_before);
   json["input"] = {{"files", report.input_files},
                    {"hash", report.input_hash},
                    {"outline", report.outline},

@@ -48,6 +48,23 @@ TEST(QualitySummary, TakesTheOrientationOfMostOfTheArea) {
   EXPECT_DOUBLE_EQ(summary.quads.scaled_jacobian.min, 1.0);
 }
 
+TEST(QualitySummary, LeavesOutOnePercentOfTheFacesAtEachEndOfTheSizes) {
+  // A row of 101 rectangles of height 1 whose widths are 1 to 101.
+  std::vector<double> x, y;
+  std::vector<FaceCorners> faces;
+  for (std::size_t i = 0; i <= 101; ++i) {
+    const double at = 0.5 * static_cast<double>(i * (i + 1));
+    x.insert(x.end(), {at, at});
+    y.insert(y.end(), {0, 1});
+    if (i > 0)
+      faces.push_back({VertexId(2 * i - 2), VertexId(2 * i), VertexId(2 * i + 1), VertexId(2 * i - 1)});
+  }
+  const AreaPercentiles area = summarize_quality(build_mesh(x, y, faces)).face_area;
+  EXPECT_DOUBLE_EQ(area.first, 2);
+  EXPECT_DOUBLE_EQ(area.last, 100);
+  EXPECT_DOUBLE_EQ(area.ratio(), 50);
+}
+
 TEST(QualitySummary, OfAnEmptyMeshIsZero) {
   const QualitySummary summary = summarize_quality(Mesh());
   EXPECT_EQ(summary.all.faces, 0U);
