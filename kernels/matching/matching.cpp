@@ -1,0 +1,79 @@
+#include "kernels/matching/matching.hpp"
+
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "engine/base/error.hpp"
+#include "engine/mesh/validate.hpp"
+#include "engine/parallel/parallel.hpp"
+#include "kernels/matching/merge_join.hpp"
+#include "kernels/matching/spanning_forest.hpp"
+#include "kernels/matching/subtree_parity.hpp"
+
+namespace quarry {
+namespace {
+
+void smooth(Mesh& mesh, const NodedLines& lines, const MatchingOptions& options, MatchingReport& report,
+            const Progress& progress) {
+  progress.report("smoothing", 0);
+  report.smoothing = smooth_laplacian(mesh, lines, options.smoothing, progress);
+  report.square_corners = square_corners(mesh, lines, options.square_corners, progress);
+  report.optimise = optimise_corners(mesh, lines, options.optimise, progress);
+}
+
+void check_quads(const Mesh& mesh, const MatchingOptions& options, MatchingReport& report) {
+  const auto invalid = parallel::filter_indices(
+      mesh.face_slots(), [&](std::size_t i) { return !all_corners_turn_left(mesh, FaceId(i)); });
+  report.invalid = invalid.size();
+  if (invalid.empty() || !options.require_valid) return;
+  const Vec2 p = mesh.point(mesh.corner(FaceId(invalid.front()), 0));
+  throw Error(ErrorKind::kGeometry,
+              fmt::format("{} quads cannot be made valid without halving edges, the first at {}: use --quads "
+                          "cluster, or clean the lines there with a larger --snap or --min-edge",
+                          invalid.size(), format_point(p.x, p.y)));
+}
+
+}  // namespace
+
+DualArcs find_join(const Mesh& mesh, ConstraintTags tags, const MatchingOptions& options,
+                   MatchingReport& report, const Progress& progress) {
+  const std::vector<float> shapes = pair_shapes(mesh, tags);
+  progress.throw_if_cancelled();
+  const SpanningForest forest = maximum_spanning_forest(mesh, shapes);
+  report.forest_rounds = forest.rounds;
+  progress.throw_if_cancelled();
+  DualArcs join = subtree_parity_join(mesh, forest.arcs);
+  if (!options.search) return join;
+  progress.report("matching", 0.3);
+  const MergeCosts costs(mesh, shapes, options.cost);
+  improve_join(mesh, tags, costs, options.searching, join, report.search, progress);
+  return join;
+}
+
+void prepare_for_join(Mesh& mesh, ConstraintTags tags, const NodedLines& lines,
+                      const MatchingOptions& options, MatchingReport& report, const Progress& progress) {
+  const SpanningForest forest = maximum_spanning_forest(mesh, pair_shapes(mesh, tags));
+  const std::vector<SideId> odd =
+      edges_to_halve(mesh, tags, forest.root, options.keep_boundary, report.parity);
+  halve_edges(mesh, tags, lines, odd);
+  progress.throw_if_cancelled();
+  open_forced_ears(mesh, tags, options.ears, report.ears);
+}
+
+Mesh make_quads_by_matching(Mesh&& triangles, const NodedLines& lines, const MatchingOptions& options,
+                            MatchingReport& report, const Progress& progress) {
+  Mesh mesh = std::move(triangles);
+  progress.report("matching", 0);
+  prepare_for_join(mesh, ConstraintTags::of(mesh), lines, options, report, progress);
+  const DualArcs join = find_join(mesh, ConstraintTags::of(mesh), options, report, progress);
+  report.steiner_points = count_steiner_points(join);
+  mesh = merge_join(std::move(mesh), join);
+  report.quads = mesh.face_slots();
+  smooth(mesh, lines, options, report, progress);
+  check_quads(mesh, options, report);
+  return mesh;
+}
+
+}  // namespace quarry

@@ -1,0 +1,67 @@
+// Quads from any triangle mesh by matching on the tree of its dual graph, without halving a single edge that
+// need not be: for outlines that must stay as they are, and for surfaces.
+//   S. Ramaswami, P. Ramos, G. Toussaint: Converting triangulations to quadrangulations. Comput. Geom. 9,
+//   1998. C. Verma, T. Tautges: Jaal: engineering a high quality all-quadrilateral mesh generator. IMR 20,
+//   2011.
+// Beyond these: the tree is the maximum spanning forest of the dual, constraints are kept by making each
+// region even first, and a local search over stars takes away nearly all Steiner points and bad quads.
+#pragma once
+
+#include <cstdint>
+
+#include "engine/base/progress.hpp"
+#include "engine/geometry/line_set.hpp"
+#include "engine/mesh/constraint.hpp"
+#include "kernels/matching/ears.hpp"
+#include "kernels/matching/join_search.hpp"
+#include "kernels/matching/merge_cost.hpp"
+#include "kernels/matching/region_parity.hpp"
+#include "kernels/smooth/laplacian.hpp"
+#include "kernels/smooth/optimise.hpp"
+#include "kernels/smooth/square_corners.hpp"
+
+namespace quarry {
+
+struct MatchingOptions {
+  // No boundary edge may be halved; an odd boundary is then an error.
+  bool keep_boundary = false;
+  EarOptions ears;
+  JoinCostOptions cost;
+  bool search = true;
+  JoinSearchOptions searching;
+  LaplacianOptions smoothing{.sweeps = 10, .tolerance = 0.02};
+  SquareCornersOptions square_corners;
+  OptimiseOptions optimise;
+  // Throw where a quad stays inverted; else only count it.
+  bool require_valid = true;
+};
+
+struct MatchingReport {
+  ParityReport parity;
+  EarReport ears;
+  std::uint64_t forest_rounds = 0;
+  JoinSearchReport search;
+  std::uint64_t quads = 0;
+  std::uint64_t steiner_points = 0;
+  SweepReport smoothing, square_corners, optimise;
+  std::uint64_t invalid = 0;  // quads left that are not strictly convex
+};
+
+// The join of a triangle mesh, planar or not, open or closed, whose regions are all even: every triangle has
+// one or three arcs.
+[[nodiscard]] DualArcs find_join(const Mesh& mesh, ConstraintTags tags, const MatchingOptions& options,
+                                 MatchingReport& report, const Progress& progress);
+
+// Halves constrained and boundary edges of a planar mesh until every region is even, and opens forced ears:
+// what find_join needs.
+void prepare_for_join(Mesh& mesh, ConstraintTags tags, const NodedLines& lines,
+                      const MatchingOptions& options, MatchingReport& report, const Progress& progress);
+
+// Quads alone from a planar triangle mesh (positively oriented, with ConstraintTags), with edges as long as
+// the triangles', smoothed. No tombstones of faces. Throws Error(kGeometry) for an odd frozen boundary, and
+// with the place where a quad stays inverted.
+[[nodiscard]] Mesh make_quads_by_matching(Mesh&& triangles, const NodedLines& lines,
+                                          const MatchingOptions& options, MatchingReport& report,
+                                          const Progress& progress);
+
+}  // namespace quarry

@@ -1,0 +1,56 @@
+// How good a quad is, in the plane and in space alike: its smallest corner sine (the scaled Jacobian), seen
+// along the normal of the quad itself.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
+#include "engine/geometry/vec.hpp"
+#include "engine/mesh/mesh.hpp"
+#include "kernels/quality/element.hpp"
+
+namespace quarry::matching {
+
+// Points of the plane, or of space, of one mesh.
+template <class Point>
+[[nodiscard]] Point point_of(const Mesh& mesh, VertexId v) {
+  if constexpr (std::is_same_v<Point, Vec2>)
+    return mesh.point(v);
+  else
+    return mesh.point3(v);
+}
+
+// Calls work(Point()) with the kind of points that the mesh has.
+template <class Work>
+void with_points_of(const Mesh& mesh, Work&& work) {
+  if (mesh.planar())
+    work(Vec2());
+  else
+    work(Vec3());
+}
+
+[[nodiscard]] inline double quad_shape(Vec2 a, Vec2 b, Vec2 c, Vec2 d) { return scaled_jacobian(a, b, c, d); }
+
+// In space corners are measured against the normal of the whole quad, the cross product of its diagonals. It
+// points outwards for any quad made of two triangles that do, also where the quad is not convex, and needs no
+// search for the nearest place of the surface.
+[[nodiscard]] inline double quad_shape(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
+  const Vec3 normal = cross(c - a, d - b);
+  const double size = length(normal);
+  if (!(size > 0)) return -1.0;
+  const auto corner = [&](Vec3 previous, Vec3 here, Vec3 next) {
+    const Vec3 out = next - here;
+    const Vec3 back = previous - here;
+    const double lengths = size * std::sqrt(dot(out, out) * dot(back, back));
+    return lengths > 0 ? dot(normal, cross(out, back)) / lengths : -1.0;
+  };
+  return std::min(std::min(corner(d, a, b), corner(a, b, c)), std::min(corner(b, c, d), corner(c, d, a)));
+}
+
+template <class Point>
+[[nodiscard]] Point centroid(Point a, Point b, Point c) {
+  return a + (1.0 / 3.0) * ((b - a) + (c - a));
+}
+
+}  // namespace quarry::matching

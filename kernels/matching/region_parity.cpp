@@ -1,0 +1,284 @@
+#include "kernels/matching/region_parity.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "engine/base/error.hpp"
+#include "engine/geometry/segment.hpp"
+#include "engine/operation/editor.hpp"
+#include "engine/parallel/parallel.hpp"
+#include "engine/parallel/sort.hpp"
+#include "kernels/local/split.hpp"
+
+namespace quarry {
+namespace {
+
+using Region = std::uint32_t;
+
+double squared_length_of(const Mesh& mesh, SideId s) {
+  const Vec3 edge = mesh.point3(mesh.target(s)) - mesh.point3(mesh.origin(s));
+  return dot(edge, edge);
+}
+
+// The regions, numbered in the order of the faces that stand for them, with their parities.
+struct Regions {
+  const IdVector<FaceId, FaceId>& root;
+  std::vector<std::uint32_t> face;  // of each region
+  std::vector<std::uint8_t> odd;
+  std::vector<std::uint32_t> number;  // of each face slot that stands for a region
+
+  Regions(const Mesh& mesh, const IdVector<FaceId, FaceId>& root_of)
+      : root(root_of), number(mesh.face_slots()) {
+    face = parallel::filter_indices(
+        root.size(), [&](std::size_t i) { return mesh.alive(FaceId(i)) && root[FaceId(i)].value() == i; });
+    parallel::for_each(face.size(), [&](std::size_t i) { number[face[i]] = static_cast<std::uint32_t>(i); });
+    odd.assign(face.size(), 0);
+    count_parities(mesh);
+  }
+
+  [[nodiscard]] Region operator()(FaceId f) const { return number[root[f].value()]; }
+
+ private:
+  // Neighbours in the list mostly share a region: whole runs are told at once.
+  void count_parities(const Mesh& mesh) {
+    parallel::for_each_chunk(root.size(), parallel::kChunk, [&](std::size_t begin, std::size_t end) {
+      std::uint8_t parity = 0;
+      for (std::size_t i = begin; i < end; ++i) {
+        const FaceId f(i);
+        if (!mesh.alive(f)) continue;
+        parity ^= 1U;
+        if (i + 1 < end && mesh.alive(FaceId(i + 1)) && root[FaceId(i + 1)] == root[f]) continue;
+        std::atomic_ref(odd[(*this)(f)]).fetch_xor(parity, std::memory_order_relaxed);
+        parity = 0;
+      }
+    });
+  }
+};
+
+// The best edge between two regions, or between one and the outside.
+struct Interface {
+  Region a, b;
+  SideId side;
+};
+
+class RegionGraph {
+ public:
+  RegionGraph(const Mesh& mesh, ConstraintTags tags, const Regions& regions, bool keep_boundary)
+      : mesh_(mesh), tags_(tags), regions_(regions), keep_boundary_(keep_boundary) {
+    find_interfaces();
+    index_interfaces();
+  }
+
+  // The interfaces to halve: parity is moved along the tree of shortest ways, from the far end on.
+  std::vector<SideId> join() {
+    std::vector<std::uint8_t> odd = regions_.odd;
+    odd.push_back(0);
+    const std::vector<Region> order = breadth_first();
+    std::vector<SideId> chosen;
+    for (std::size_t i = order.size(); i-- > 0;) {
+      const Region r = order[i];
+      if (r == outside() || odd[r] == 0) continue;
+      if (through_[r] == kNone) throw_odd(r);
+      const Interface& way = interfaces_[through_[r]];
+      chosen.push_back(way.side);
+      odd[way.a == r ? way.b : way.a] ^= 1U;
+    }
+    std::sort(chosen.begin(), chosen.end());
+    return chosen;
+  }
+
+ private:
+  static constexpr std::uint32_t kNone = ~std::uint32_t{0};
+
+  [[nodiscard]] Region outside() const { return static_cast<Region>(regions_.face.size()); }
+  [[nodiscard]] std::size_t node_count() const { return regions_.face.size() + 1; }
+
+  [[nodiscard]] bool is_candidate(SideId s) const {
+    if (!mesh_.alive(s.face()) || s.index() == 3) return false;
+    const SideId t = mesh_.neighbour(s);
+    if (!t.valid()) return !keep_boundary_;
+    return tags_.constrained(s) && s < t && regions_(s.face()) != regions_(t.face());
+  }
+
+  [[nodiscard]] Interface interface_at(SideId s) const {
+    const SideId t = mesh_.neighbour(s);
+    const Region here = regions_(s.face());
+    const Region there = t.valid() ? regions_(t.face()) : outside();
+    return {std::min(here, there), std::max(here, there), s};
+  }
+
+  // Halving a side of a triangle that has another constrained side makes a triangle that can only be merged
+  // into a quad with a straight corner.
+  [[nodiscard]] bool leaves_a_leaf(SideId s) const {
+    for (int k = 0; k < 3; ++k) {
+      const SideId other(s.face(), k);
+      if (other != s && !matching::joinable(mesh_, tags_, other)) return true;
+    }
+    return false;
+  }
+
+  // What speaks against an edge; of equals the longest is taken.
+  [[nodiscard]] int reluctance(SideId s) const {
+    const SideId t = mesh_.neighbour(s);
+    const Vec2 middle = midpoint(mesh_.point(mesh_.origin(s)), mesh_.point(mesh_.target(s)));
+    if (mesh_.planar() && !can_split_edge(mesh_, s, middle)) return 2;
+    return leaves_a_leaf(s) || (t.valid() && leaves_a_leaf(t)) ? 1 : 0;
+  }
+
+  [[nodiscard]] bool better(SideId s, SideId than) const {
+    const int mine = reluctance(s);
+    const int other = reluctance(than);
+    if (mine != other) return mine < other;
+    return squared_length_of(mesh_, s) > squared_length_of(mesh_, than);
+  }
+
+  void find_interfaces() {
+    const auto sides = parallel::filter_indices(4 * mesh_.face_slots(), [&](std::size_t i) {
+      return is_candidate(SideId(static_cast<std::uint32_t>(i)));
+    });
+    std::vector<std::uint64_t> keys(sides.size());
+    parallel::for_each(sides.size(), [&](std::size_t i) {
+      const Interface found = interface_at(SideId(sides[i]));
+      keys[i] = (std::uint64_t{found.a} << 32) | found.b;
+    });
+    const std::vector<std::uint32_t> order = parallel::sorted_order(keys);
+    for (const std::uint32_t i : order) {
+      const Interface found = interface_at(SideId(sides[i]));
+      if (interfaces_.empty() || interfaces_.back().a != found.a || interfaces_.back().b != found.b)
+        interfaces_.push_back(found);
+      else if (better(found.side, interfaces_.back().side))
+        interfaces_.back().side = found.side;
+    }
+  }
+
+  // The interfaces of each region in compressed rows, in the order of the regions beyond.
+  void index_interfaces() {
+    begin_.assign(node_count() + 1, 0);
+    for (const Interface& way : interfaces_)
+      for (const Region r : {way.a, way.b}) ++begin_[r + 1];
+    for (std::size_t i = 1; i < begin_.size(); ++i) begin_[i] += begin_[i - 1];
+    at_.resize(2 * interfaces_.size());
+    std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
+    for (std::uint32_t i = 0; i < interfaces_.size(); ++i)
+      for (const Region r : {interfaces_[i].a, interfaces_[i].b}) at_[next[r]++] = i;
+  }
+
+  // Regions by their distance from the outside, then the parts that do not reach it, each from its first
+  // region on. Sets through which interface each was reached.
+  std::vector<Region> breadth_first() {
+    through_.assign(node_count(), kNone);
+    std::vector<std::uint8_t> seen(node_count(), 0);
+    std::vector<Region> order;
+    const auto visit_from = [&](Region start) {
+      if (seen[start] != 0) return;
+      seen[start] = 1;
+      std::size_t at = order.size();
+      order.push_back(start);
+      for (; at < order.size(); ++at) {
+        const Region r = order[at];
+        for (std::uint32_t i = begin_[r]; i < begin_[r + 1]; ++i) {
+          const Interface& way = interfaces_[at_[i]];
+          const Region other = way.a == r ? way.b : way.a;
+          if (seen[other] != 0) continue;
+          seen[other] = 1;
+          through_[other] = at_[i];
+          order.push_back(other);
+        }
+      }
+    };
+    visit_from(outside());
+    for (Region r = 0; r < outside(); ++r) visit_from(r);
+    return order;
+  }
+
+  // Everything that hangs together with the region, whatever lies between.
+  [[noreturn]] void throw_odd(Region r) const {
+    std::vector<std::uint8_t> seen(mesh_.face_slots(), 0);
+    std::vector<FaceId> todo{FaceId(regions_.face[r])};
+    seen[todo.back().value()] = 1;
+    std::uint64_t sides = 0;
+    SideId place;
+    while (!todo.empty()) {
+      const FaceId f = todo.back();
+      todo.pop_back();
+      for (int k = 0; k < 3; ++k) {
+        const SideId t = mesh_.neighbour(SideId(f, k));
+        if (!t.valid()) {
+          ++sides;
+          place = std::min(place, SideId(f, k));
+        } else if (std::exchange(seen[t.face().value()], std::uint8_t{1}) == 0) {
+          todo.push_back(t.face());
+        }
+      }
+    }
+    const Vec3 p = mesh_.point3(mesh_.origin(place));
+    throw Error(
+        ErrorKind::kGeometry,
+        fmt::format("the boundary of the part at {} has {} sides, an odd number, which no mesh of "
+                    "quads alone can have: add or remove one vertex of it, or let its edges be halved "
+                    "(no --keep-boundary)",
+                    format_point(p.x, p.y), sides));
+  }
+
+  const Mesh& mesh_;
+  ConstraintTags tags_;
+  const Regions& regions_;
+  bool keep_boundary_;
+  std::vector<Interface> interfaces_;  // by regions
+  std::vector<std::uint32_t> begin_, at_;
+  std::vector<std::uint32_t> through_;
+};
+
+Support support_of_middle(const Mesh& mesh, ConstraintTags tags, const PieceFinder& finder, SideId s) {
+  if (tags.constrained(s)) {
+    const PieceId piece = finder.under_edge(tags.support[mesh.origin(s)], tags.support[mesh.target(s)]);
+    if (piece.valid()) return Support::on(piece);
+  }
+  return mesh.neighbour(s).valid() ? Support::free() : Support::fixed();
+}
+
+}  // namespace
+
+std::vector<SideId> edges_to_halve(const Mesh& mesh, ConstraintTags tags,
+                                   const IdVector<FaceId, FaceId>& root, bool keep_boundary,
+                                   ParityReport& report) {
+  const Regions regions(mesh, root);
+  report.regions = regions.face.size();
+  report.odd_regions = static_cast<std::uint64_t>(std::count(regions.odd.begin(), regions.odd.end(), 1));
+  if (report.odd_regions == 0) return {};
+  std::vector<SideId> sides = RegionGraph(mesh, tags, regions, keep_boundary).join();
+  report.halved_edges = sides.size();
+  return sides;
+}
+
+void halve_edges(Mesh& mesh, ConstraintTags tags, const NodedLines& lines, std::span<const SideId> sides) {
+  if (sides.empty()) return;
+  const PieceFinder finder(lines);
+  // Halving one edge renumbers the sides of its faces: the others are remembered by their ends.
+  std::vector<std::pair<VertexId, VertexId>> ends;
+  for (const SideId s : sides) ends.emplace_back(mesh.origin(s), mesh.target(s));
+  for (const auto& [a, b] : ends) {
+    const SideId s = mesh.find_side(a, b);
+    const Support support = support_of_middle(mesh, tags, finder, s);
+    Vec2 middle = midpoint(mesh.point(a), mesh.point(b));
+    if (support.slides()) {
+      const Piece& piece = lines.pieces[support.piece()];
+      middle = closest_point(middle, lines.nodes[piece.from], lines.nodes[piece.to]);
+    }
+    if (!can_split_edge(mesh, s, middle))
+      throw Error(
+          ErrorKind::kGeometry,
+          fmt::format("the edge at {} is too flat to be halved, which its region needs to become quads: "
+                      "clean the lines there with a larger --snap, or use --quads cluster",
+                      format_point(middle.x, middle.y)));
+    MeshEditor editor(mesh);
+    const std::size_t faces = mesh.neighbour(s).valid() ? 2 : 1;
+    const NewIds ids{mesh.grow_vertices(1), mesh.grow_faces(faces)};
+    (void)split_edge(editor, tags, s, middle, support, ids);
+  }
+}
+
+}  // namespace quarry

@@ -1,0 +1,234 @@
+#include "kernels/matching/matching.hpp"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "engine/base/error.hpp"
+#include "engine/mesh/validate.hpp"
+#include "engine/parallel/parallel.hpp"
+#include "kernels/matching/merge_join.hpp"
+#include "kernels/matching/spanning_forest.hpp"
+#include "tests/kernels/matching/triangle_meshes.hpp"
+#include "tests/support/charge.hpp"
+#include "tests/support/mesh_arrays.hpp"
+#include "tests/support/mesh_zoo.hpp"
+#include "tests/support/synthetic_mesh.hpp"
+
+namespace quarry {
+namespace {
+
+using Ends = std::set<std::pair<VertexId, VertexId>>;
+
+Ends boundary_of(const Mesh& mesh) {
+  Ends ends;
+  for (const FaceId f : mesh.faces())
+    if (mesh.alive(f))
+      for (int k = 0; k < mesh.corner_count(f); ++k)
+        if (const SideId s(f, k); !mesh.neighbour(s).valid()) ends.emplace(mesh.origin(s), mesh.target(s));
+  return ends;
+}
+
+Ends constraints_of(const Mesh& mesh) {
+  const ConstraintTags tags = ConstraintTags::of(mesh);
+  Ends ends;
+  for (const FaceId f : mesh.faces())
+    if (mesh.alive(f))
+      for (int k = 0; k < mesh.corner_count(f); ++k)
+        if (const SideId s(f, k); tags.constrained(s))
+          ends.insert(std::minmax(mesh.origin(s), mesh.target(s)));
+  return ends;
+}
+
+double area_of(const Mesh& mesh) {
+  double doubled = 0;
+  for (const FaceId f : mesh.faces())
+    for (int k = 0; k < mesh.corner_count(f); ++k)
+      doubled += cross(mesh.point(mesh.origin(SideId(f, k))), mesh.point(mesh.target(SideId(f, k))));
+  return 0.5 * doubled;
+}
+
+bool all_quads(const Mesh& mesh) {
+  for (const FaceId f : mesh.faces())
+    if (mesh.corner_count(f) != 4) return false;
+  return true;
+}
+
+MatchingOptions frozen() {
+  MatchingOptions options;
+  options.keep_boundary = true;
+  return options;
+}
+
+MatchingOptions counting() {
+  MatchingOptions options;
+  options.require_valid = false;
+  return options;
+}
+
+NodedLines no_lines() {
+  NodedLines lines;
+  lines.line_begin.push_back(0);
+  return lines;
+}
+
+// Vertices keep their numbers: prepared is the triangle mesh after edges were halved.
+void expect_quads_of(const Mesh& prepared_boundary_holder, const Ends& boundary, const Ends& constraints,
+                     const Mesh& quads) {
+  EXPECT_TRUE(all_quads(quads));
+  EXPECT_EQ(validate(quads, GeometryCheck::kNone), "");
+  EXPECT_EQ(boundary_of(quads), boundary);
+  EXPECT_EQ(constraints_of(quads), constraints);
+  EXPECT_EQ(test::charge_of(quads), test::charge_of(prepared_boundary_holder));
+}
+
+TEST(Matching, KeepsBoundaryConstraintsAndChargeOnEverySyntheticMesh) {
+  for (std::uint64_t seed = 1; seed <= 25; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    test::SyntheticMesh made = test::make_synthetic({.seed = seed, .crooked_lines = 16});
+    MatchingReport report;
+    prepare_for_join(made.mesh, made.tags, made.lines, {}, report, Progress());
+    ASSERT_EQ(validate(made.mesh, GeometryCheck::kPlanarCorners), "");
+    const DualArcs join = find_join(made.mesh, made.tags, {}, report, Progress());
+    for (const FaceId f : made.mesh.faces()) ASSERT_EQ(matching::degree(join[f]) % 2, 1);
+    Mesh again = test::make_synthetic({.seed = seed, .crooked_lines = 16}).mesh;
+    MatchingReport other;
+    prepare_for_join(again, ConstraintTags::of(again), made.lines, {}, other, Progress());
+    const Mesh quads = merge_join(std::move(again), join);
+    expect_quads_of(made.mesh, boundary_of(made.mesh), constraints_of(made.mesh), quads);
+    EXPECT_EQ(quads.face_slots(), made.mesh.face_slots() / 2 + count_steiner_points(join));
+    EXPECT_NEAR(area_of(quads), area_of(made.mesh), 1e-5);
+  }
+}
+
+TEST(Matching, MakesEveryRegionEvenByHalvingEdgesThatLieOnTheirPieces) {
+  std::uint64_t odd = 0;
+  for (std::uint64_t seed = 1; seed <= 25; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    test::SyntheticMesh made = test::make_synthetic({.seed = seed, .crooked_lines = 40});
+    const std::size_t vertices = made.mesh.vertex_slots();
+    MatchingReport report;
+    prepare_for_join(made.mesh, made.tags, made.lines, {}, report, Progress());
+    odd += report.parity.odd_regions;
+    const auto root = maximum_spanning_forest(made.mesh, pair_shapes(made.mesh, made.tags)).root;
+    std::vector<int> faces(made.mesh.face_slots(), 0);
+    for (const FaceId f : made.mesh.faces()) ++faces[root[f].value()];
+    for (const int count : faces) EXPECT_EQ(count % 2, 0);
+    EXPECT_LE(report.parity.halved_edges, 3 * report.parity.odd_regions);
+    for (std::size_t i = vertices; i < made.mesh.vertex_slots(); ++i) {
+      const Support support = made.tags.support[VertexId(i)];
+      if (support.slides()) {
+        EXPECT_LT(support.piece().value(), made.lines.pieces.size());
+      }
+    }
+  }
+  EXPECT_GT(odd, 0U);
+}
+
+TEST(Matching, MakesTheSameQuadsOnAnyNumberOfThreads) {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    std::vector<std::uint64_t> expected;
+    for (const int threads : {1, 2, 4, 7}) {
+      test::SyntheticMesh made =
+          test::make_synthetic({.columns = 80, .rows = 50, .seed = seed, .jitter = 0.3});
+      parallel::with_threads(threads, [&] {
+        const parallel::ParticipationProbe probe;
+        MatchingReport report;
+        const Mesh quads =
+            make_quads_by_matching(std::move(made.mesh), made.lines, counting(), report, Progress());
+        if (threads == 1) expected = test::arrays_of(quads);
+        EXPECT_EQ(test::arrays_of(quads), expected);
+        if (threads > 1) {
+          EXPECT_GT(probe.chunks_of_other_threads(), 0U);
+        }
+      });
+    }
+  }
+}
+
+TEST(Matching, LeavesNothingInvertedWithoutConstraints) {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Mesh mesh = test::delaunay_mesh(50, 40, seed);
+    const Ends boundary = boundary_of(mesh);
+    MatchingReport report;
+    const Mesh quads = make_quads_by_matching(std::move(mesh), no_lines(), frozen(), report, Progress());
+    EXPECT_EQ(validate(quads, GeometryCheck::kPlanarCorners), "");
+    EXPECT_EQ(boundary_of(quads), boundary);
+    EXPECT_EQ(report.parity.halved_edges, 0U);
+  }
+}
+
+TEST(Matching, TakesAClosedSurface) {
+  Mesh sphere = test::icosphere(4);
+  MatchingReport report;
+  const DualArcs join = find_join(sphere, ConstraintTags::of(sphere), {}, report, Progress());
+  for (const FaceId f : sphere.faces()) ASSERT_EQ(matching::degree(join[f]) % 2, 1);
+  const Mesh quads = merge_join(std::move(sphere), join);
+  EXPECT_FALSE(quads.planar());
+  EXPECT_TRUE(all_quads(quads));
+  EXPECT_EQ(validate(quads, GeometryCheck::kNone), "");
+  EXPECT_TRUE(boundary_of(quads).empty());
+  EXPECT_EQ(test::charge_of(quads), 8);
+  for (const VertexId v : quads.vertices()) EXPECT_GT(length(quads.point3(v)), 0.98);
+}
+
+TEST(Matching, TakesAnAnnulusOfWhichBothRimsAreOdd) {
+  Mesh mesh = test::triangle_annulus(31, 5);
+  const Ends boundary = boundary_of(mesh);
+  MatchingReport report;
+  const Mesh quads = make_quads_by_matching(std::move(mesh), no_lines(), frozen(), report, Progress());
+  EXPECT_EQ(validate(quads, GeometryCheck::kPlanarCorners), "");
+  EXPECT_EQ(boundary_of(quads), boundary);
+  EXPECT_EQ(test::charge_of(quads), 0);
+}
+
+// Two lattices side by side; the second loses a corner triangle, which leaves it an odd number of sides.
+Mesh even_and_odd_part() {
+  std::vector<double> x, y;
+  std::vector<FaceCorners> faces;
+  for (const double shift : {0.0, 10.0}) {
+    const Mesh part = test::triangle_lattice(4, 3, {shift, 0});
+    const std::size_t first = x.size();
+    for (const VertexId v : part.vertices()) {
+      x.push_back(part.point(v).x);
+      y.push_back(part.point(v).y);
+    }
+    for (const FaceId f : part.faces()) {
+      if (shift > 0 && f.value() == 0) continue;
+      FaceCorners corners;
+      for (int k = 0; k < 3; ++k)
+        corners[static_cast<std::size_t>(k)] = VertexId(first + part.corner(f, k).value());
+      faces.push_back(corners);
+    }
+  }
+  return test::with_fixed_rim(build_mesh(std::move(x), std::move(y), faces));
+}
+
+TEST(Matching, NamesTheComponentWhoseFrozenBoundaryIsOdd) {
+  MatchingReport report;
+  try {
+    (void)make_quads_by_matching(even_and_odd_part(), no_lines(), frozen(), report, Progress());
+    FAIL() << "an odd boundary was accepted";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::kGeometry);
+    EXPECT_NE(error.message().find("15 sides"), std::string::npos) << error.message();
+    EXPECT_NE(error.message().find("(1"), std::string::npos) << error.message();
+  }
+}
+
+TEST(Matching, HalvesOneOuterEdgeOfAnOddComponent) {
+  MatchingReport report;
+  const Mesh quads = make_quads_by_matching(even_and_odd_part(), no_lines(), {}, report, Progress());
+  EXPECT_EQ(report.parity.regions, 2U);
+  EXPECT_EQ(report.parity.halved_edges, 1U);
+  EXPECT_TRUE(all_quads(quads));
+  EXPECT_EQ(validate(quads, GeometryCheck::kPlanarCorners), "");
+}
+
+}  // namespace
+}  // namespace quarry
