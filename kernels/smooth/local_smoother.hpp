@@ -57,7 +57,8 @@ class LocalSmoother {
   [[nodiscard]] bool valid(const FaceNumbers& face) const;
   [[nodiscard]] bool all_valid() const;
   [[nodiscard]] double quality(const FaceNumbers& face) const;
-  // One visit to every vertex; how many of them moved. regularisation: as of ShapeStar; 0 once untangled.
+  // One visit to every vertex; how many of them moved. regularisation: eps as a
+  // share of the wanted area, 0 once untangled.
   std::size_t sweep(double regularisation);
   std::size_t move_all(std::span<const std::uint32_t> members, double regularisation);
   bool move(std::uint32_t i, double regularisation, ShapeStar& star);

@@ -17,6 +17,9 @@ namespace local_smoother {
 
 inline constexpr std::size_t kSmoothChunk = 256;
 
+// How far to go along each Newton step: successive over-relaxation. Of 1, 1.2, 1.4, 1.6 and 1.8 the last left
+// the best minimum on blocks of 9 to 1,521 vertices, the last but one the best mean.
+inline constexpr double kRelaxation = 1.7;
 // Moves shorter than this share of the edges at the vertex are not worth the look at the faces.
 inline constexpr double kSmallestMove = 1e-3;
 // The reach of one step, as a share of the edges at the vertex.
@@ -26,6 +29,8 @@ inline constexpr int kAttempts = 5;
 inline constexpr double kFirstRegularisation = 0.3;
 inline constexpr double kShrinkage = 0.6;
 inline constexpr double kLastRegularisation = 1e-2;
+// Where a corner has a smaller sine than this, eps is this share of the squared edges once untangled, too.
+inline constexpr double kFlat = 0.15;
 
 // Twice the area of the triangle or quad of these places, the first of which is the origin.
 inline double doubled_area(Vec2 next, Vec2 opposite, Vec2 previous) {
@@ -215,21 +220,21 @@ bool LocalSmoother<Model>::move(std::uint32_t i, double regularisation, ShapeSta
       star.add_quad(out, frame.relative(points_[opposite]), back, area_);
   });
   const bool untangling = regularisation > 0;
-  if (!untangling) star.freeze_stretch();
-  Quadratic here = star.expand(regularisation);
-  if (!std::isfinite(here.value)) {
-    regularisation = local_smoother::kLastRegularisation;
-    here = star.expand(regularisation);
-  }
   const double edge = star.mean_squared_edge();
-  Vec2 step = here.step();
+  double eps = regularisation * area_;
+  if (!untangling) {
+    star.freeze_stretch();
+    if (star.has_corner_below(local_smoother::kFlat)) eps = local_smoother::kFlat * edge;
+  }
+  const Quadratic here = star.expand(eps);
+  Vec2 step = local_smoother::kRelaxation * here.step();
   if (squared_length(step) > local_smoother::kReach * local_smoother::kReach * edge)
     step = (local_smoother::kReach * std::sqrt(edge / squared_length(step))) * step;
   for (int attempt = 0; attempt < local_smoother::kAttempts; ++attempt, step = 0.5 * step) {
     if (!(squared_length(step) > local_smoother::kSmallestMove * local_smoother::kSmallestMove * edge))
       return false;
     const Point target = model_->project(frame.at(step));
-    if (!(star.value(frame.relative(target), regularisation) < here.value)) continue;
+    if (!(star.value(frame.relative(target), eps) < here.value)) continue;
     if (!untangling && !keeps_valid(i, target)) continue;
     points_[i] = target;
     return true;

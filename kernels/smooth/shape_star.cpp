@@ -1,6 +1,7 @@
 #include "kernels/smooth/shape_star.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -75,27 +76,40 @@ void add_cost(const Corner& c, const Chi& chi, double size, double area, Quadrat
   sum.xy += mixed * (slope.x * c.d_slope.y + slope.y * c.d_slope.x) + square * c.d_slope.x * c.d_slope.y;
 }
 
-// Of a face with the vertex somewhere: what its limits are held against, without a square root.
-struct FaceLimits {
-  double smallest_sine;      // s |s| of the smallest corner sine s
-  double shortest, longest;  // squared lengths of edges
+// Edges and corners of a face with the vertex somewhere; of the corners those that move with it.
+struct FaceMeasures {
+  double out, back, far_next, far_previous;  // squared lengths
+  std::array<double, 3> d, lengths;          // at the vertex, at `next`, at `previous`: |e1|^2 |e2|^2
 
-  FaceLimits(const ShapeFace& face, Vec2 offset) {
-    const Vec2 out = face.next - offset;
-    const Vec2 back = face.previous - offset;
-    const double oo = squared_length(out);
-    const double bb = squared_length(back);
-    const double ff = face.far_next_squared;
-    const double pp = face.far_previous_squared;
-    const auto corner = [](double d, double lengths) {
-      return lengths > 0 ? d * std::abs(d) / lengths : -1.0;
-    };
-    smallest_sine = std::min({corner(cross(out, back), oo * bb), corner(cross(out, face.far_next), oo * ff),
-                              corner(cross(back, face.far_previous), bb * pp)});
-    if (face.quad)
-      smallest_sine = std::min(smallest_sine, corner(cross(face.far_next, face.far_previous), ff * pp));
-    shortest = std::min({oo, bb, ff, pp});
-    longest = std::max({oo, bb, ff, pp});
+  FaceMeasures(const ShapeFace& face, Vec2 offset) {
+    const Vec2 to_next = face.next - offset;
+    const Vec2 to_previous = face.previous - offset;
+    out = squared_length(to_next);
+    back = squared_length(to_previous);
+    far_next = face.far_next_squared;
+    far_previous = face.far_previous_squared;
+    d = {cross(to_next, to_previous), cross(to_next, face.far_next), cross(to_previous, face.far_previous)};
+    lengths = {out * back, out * far_next, back * far_previous};
+  }
+
+  // Whether a corner has a sine below the one given (not negative).
+  [[nodiscard]] bool below(double sine) const {
+    bool result = false;
+    for (std::size_t k = 0; k < 3; ++k) result |= d[k] * std::abs(d[k]) < sine * sine * lengths[k];
+    return result;
+  }
+  // s |s| of the smallest sine s.
+  [[nodiscard]] double smallest() const {
+    double smallest = 1;
+    for (std::size_t k = 0; k < 3; ++k)
+      smallest = std::min(smallest, lengths[k] > 0 ? d[k] * std::abs(d[k]) / lengths[k] : -1.0);
+    return smallest;
+  }
+  [[nodiscard]] double shortest() const {
+    return std::min(std::min(out, back), std::min(far_next, far_previous));
+  }
+  [[nodiscard]] double longest() const {
+    return std::max(std::max(out, back), std::max(far_next, far_previous));
   }
 };
 
@@ -133,15 +147,19 @@ void ShapeStar::add_triangle(Vec2 next, Vec2 previous, double area) {
 }
 
 void ShapeStar::freeze_stretch() {
-  const double limit = target_.largest_aspect * target_.largest_aspect;
+  const double limit = target_.largest_aspect;
   for (ShapeFace& face : std::span(faces_).first(count_)) {
     if (!face.quad) continue;
-    // The lines between the middles of opposite edges: two vectors, and no square root for each edge.
+    // The lines between the middles of opposite edges tell the aspect with one square root.
     const double along = squared_length(face.next - face.far_previous);
     const double across = squared_length(face.previous + face.far_next);
-    const double squared = std::clamp(along / across, 1 / limit, limit);
-    face.stretch = target_.rectangle == 1 ? std::sqrt(squared) : std::pow(squared, 0.5 * target_.rectangle);
+    face.stretch = std::sqrt(std::clamp(along / across, 1 / (limit * limit), limit * limit));
   }
+}
+
+bool ShapeStar::has_corner_below(double sine) const {
+  return std::any_of(faces().begin(), faces().end(),
+                     [&](const ShapeFace& face) { return FaceMeasures(face, {}).below(sine); });
 }
 
 double ShapeStar::mean_squared_edge() const {
@@ -150,11 +168,10 @@ double ShapeStar::mean_squared_edge() const {
   return sum / static_cast<double>(2 * count_);
 }
 
-double ShapeStar::value(Vec2 offset, double regularisation) const {
+double ShapeStar::value(Vec2 offset, double eps) const {
   double sum = 0;
   bool positive = true;
   for (const ShapeFace& face : faces()) {
-    const double eps = regularisation * face.area;
     const double added = target_.size_weight * face.area;
     const double pull = target_.size_weight / face.area;
     for_each_corner(face, offset, [&](const Corner& c) {
@@ -162,34 +179,33 @@ double ShapeStar::value(Vec2 offset, double regularisation) const {
       sum += (c.squares + added) / (eps > 0 ? regularised_value(c.d, eps) : c.d) + pull * c.d;
     });
   }
-  return regularisation > 0 || positive ? sum : std::numeric_limits<double>::infinity();
+  return eps > 0 || positive ? sum : std::numeric_limits<double>::infinity();
 }
 
-Quadratic ShapeStar::expand(double regularisation) const {
+Quadratic ShapeStar::expand(double eps) const {
   Quadratic sum;
   bool positive = true;
   for (const ShapeFace& face : faces()) {
-    const double eps = regularisation * face.area;
     for_each_corner(face, {}, [&](const Corner& c) {
       positive = positive && c.d > 0;
       const Chi chi = eps > 0 ? regularised(c.d, eps) : Chi{c.d, 1 / c.d, 0};
       add_cost(c, chi, target_.size_weight, face.area, sum);
     });
   }
-  if (!positive && !(regularisation > 0)) sum.value = std::numeric_limits<double>::infinity();
+  if (!positive && !(eps > 0)) sum.value = std::numeric_limits<double>::infinity();
   return sum;
 }
 
 bool ShapeStar::keeps(Vec2 offset, double floor, double largest_edge_ratio) const {
   const double ratio = largest_edge_ratio * largest_edge_ratio;
   for (const ShapeFace& face : faces()) {
-    const FaceLimits after(face, offset);
-    const bool flat = after.smallest_sine < floor * floor;
-    const bool long_drawn = after.longest > ratio * after.shortest;
+    const FaceMeasures after(face, offset);
+    const bool flat = after.below(floor);
+    const bool long_drawn = after.longest() > ratio * after.shortest();
     if (!flat && !long_drawn) continue;
-    const FaceLimits before(face, {});
-    if (flat && after.smallest_sine < before.smallest_sine) return false;
-    if (long_drawn && after.longest * before.shortest > before.longest * after.shortest) return false;
+    const FaceMeasures before(face, {});
+    if (flat && after.smallest() < before.smallest()) return false;
+    if (long_drawn && after.longest() * before.shortest() > before.longest() * after.shortest()) return false;
   }
   return true;
 }

@@ -3,13 +3,14 @@
 //
 // A corner between edges e1 and e2 with determinant d = e1 x e2 costs
 //   (|e1|^2 / r + r |e2|^2 + s T) / d + s d / T,
-// the mean ratio of Knupp (SIAM J. Sci. Comput. 23, 2001) with two changes. r is how many times as long as
-// the others the edges along e1 are wanted: about what they are, frozen for the step, so that a rectangle is
-// as good as a square and a quad is not skewed where counts ask for a stretch. T is the wanted area, and s
-// how much it counts. r, T and s fixed, the cost is convex in the place as long as all d > 0 (squares over a
-// linear function), and infinite at d = 0: Newton's method needs no help.
-// Where a corner is turned over, chi(d) = (d + sqrt(d^2 + eps^2)) / 2 stands in place of the d below
-// (Escobar et al., CMAME 192, 2003): finite everywhere, falling as d grows.
+// the mean ratio of Knupp (SIAM J. Sci. Comput. 23, 2001) with two changes. r is the present aspect of the
+// quad, frozen for the step, so that a rectangle is as good as a square and a quad is not skewed where counts
+// ask for a stretch; one for the quad and not one for the corner, so that opposite edges become equal. T is
+// the wanted area, and s how much it counts. r, T and s fixed, the cost is convex in the place as long as all
+// d > 0 (squares over a linear function), and infinite at d = 0: Newton's method needs no help. Where a
+// corner is turned over, chi(d) = (d + sqrt(d^2 + eps^2)) / 2 stands in place of the d below (Escobar et al.,
+// CMAME 192, 2003): finite everywhere, falling as d grows. It also serves where a corner is nearly flat: on
+// the plain cost Newton's steps from there are no longer than d itself.
 #pragma once
 
 #include <span>
@@ -23,8 +24,6 @@ namespace quarry {
 struct ShapeTarget {
   // s: what the size of a face counts beside its shape.
   double size_weight = 0.1;
-  // r is the aspect of the quad to this power: 1 leaves rectangles as they are, 0 asks for squares.
-  double rectangle = 1;
   // r is at most this and at least its inverse: quads beyond are drawn back.
   double largest_aspect = 3;
 };
@@ -36,7 +35,7 @@ struct ShapeFace {
       far_previous;  // of a quad: the edges from `next` to the opposite corner and on to `previous`
   double far_next_squared, far_previous_squared;  // of a triangle both that of its far edge
   double area;                                    // T
-  double stretch;                                 // r of the edges to `next` and across from it
+  double stretch;                                 // r of the edge to `next` and of the one across from it
   bool quad;
 };
 
@@ -50,20 +49,23 @@ class ShapeStar {
   // quad; of a triangle twice its own.
   void add_quad(Vec2 next, Vec2 opposite, Vec2 previous, double area);
   void add_triangle(Vec2 next, Vec2 previous, double area);
-  // Sets r of all quads from their present shape. Needed before value() and expand(); quads as added have 1.
+  // Sets r of all quads from their present shape; as added they have 1.
   void freeze_stretch();
 
   [[nodiscard]] std::span<const ShapeFace> faces() const { return std::span(faces_).first(count_); }
   // The mean of the squared lengths of the edges at the vertex.
   [[nodiscard]] double mean_squared_edge() const;
 
-  // The energy were the vertex at this offset. regularisation: eps as a share of T; with 0 the energy is
-  // infinite unless all corners turn left.
-  [[nodiscard]] double value(Vec2 offset, double regularisation) const;
+  // Whether a corner that changes with the vertex has a sine below the one given (not negative).
+  [[nodiscard]] bool has_corner_below(double sine) const;
+
+  // The energy were the vertex at this offset. With eps 0 (an area) it is infinite unless all corners turn
+  // left.
+  [[nodiscard]] double value(Vec2 offset, double eps) const;
   // The energy with its derivatives where the vertex is. With an infinite value they mean nothing.
-  [[nodiscard]] Quadratic expand(double regularisation) const;
-  // True if with the vertex at the offset no face has a scaled Jacobian below the floor, or edges of a ratio
-  // above the limit, that is worse than now.
+  [[nodiscard]] Quadratic expand(double eps) const;
+  // True if with the vertex at the offset no face has a corner (of those that change) with a sine below the
+  // floor, or edges of a ratio above the limit, that is worse than now.
   [[nodiscard]] bool keeps(Vec2 offset, double floor, double largest_edge_ratio) const;
 
  private:
