@@ -42,6 +42,9 @@ struct PassOptions {
   // Faces beyond which the pass ends with Error(kBudget): no estimate foresees the refinement that hard input
   // asks for.
   std::size_t max_faces = std::numeric_limits<std::uint32_t>::max() / 4;
+  // Items a chunk, which one thread takes at a time: 256 are about 50 microseconds of work for operations of 20
+  // to 500 ns; fewer for those that take long.
+  std::size_t chunk = 256;
   bool reverse = false;  // apply winners last to first on one thread: a test that they are independent
 };
 
@@ -57,8 +60,6 @@ template <class Item>
 using FollowUps = std::vector<Item>;
 
 namespace detail {
-
-constexpr std::size_t kPassChunk = 256;  // operations of 20 to 500 ns: about 50 microseconds of work a chunk
 
 // What one chunk of a round remembers between the phases.
 template <class Operation>
@@ -125,13 +126,13 @@ class Pass {
   void run_round() {
     window_ = std::min(options_.window, pending_.size() - begin_);
     // With few items left a cut-off would leave rounds empty.
-    cutoff_ = window_ < 4 * detail::kPassChunk ? 1 : options_.cutoff;
+    cutoff_ = window_ < 4 * options_.chunk ? 1 : options_.cutoff;
     round_ = static_cast<std::uint32_t>(report_.rounds++);
     claims_.grow(mesh_.vertex_slots());
-    chunk_count_ = (window_ + detail::kPassChunk - 1) / detail::kPassChunk;
+    chunk_count_ = (window_ + options_.chunk - 1) / options_.chunk;
     if (chunks_.size() < chunk_count_) chunks_.resize(chunk_count_);
-    parallel::for_each_chunk(window_, detail::kPassChunk, [&](std::size_t begin, std::size_t end) {
-      propose(chunks_[begin / detail::kPassChunk], begin, end);
+    parallel::for_each_chunk(window_, options_.chunk, [&](std::size_t begin, std::size_t end) {
+      propose(chunks_[begin / options_.chunk], begin, end);
     });
     parallel::for_each(
         chunk_count_, [&](std::size_t i) { decide(chunks_[i]); }, 1);

@@ -48,7 +48,7 @@ void FaceReplacer::gather(const MeshEditor& editor, const ConstraintTags& tags, 
   vertices_.clear(4 * (old.size() + fresh_count));
   met_.clear();
   for (const FaceId f : old) {
-    assert(mesh.alive(f));
+    if (!mesh.alive(f)) continue;
     for_each_side_of(mesh, f, [&](SideId s) {
       const auto [side, is_new] = sides_.insert(key_of(mesh, s));
       assert(is_new);
@@ -58,6 +58,7 @@ void FaceReplacer::gather(const MeshEditor& editor, const ConstraintTags& tags, 
     });
   }
   for (const FaceId f : old) {
+    if (!mesh.alive(f)) continue;
     for_each_side_of(mesh, f, [&](SideId s) {
       const VertexId v = mesh.origin(s);
       const auto [vertex, is_new] = vertices_.insert(stamped_key(v));

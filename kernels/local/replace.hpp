@@ -18,7 +18,8 @@ class FaceReplacer {
  public:
   // Puts `fresh` in the place of `old`: both cover the same region and have the same directed rim sides, that
   // is sides whose other face is not in the region. The slots of old faces are used first, then
-  // ids.take_face(); slots that are left over die, as do inner vertices that no fresh face uses. Vertices
+  // ids.take_face(); slots that are left over die, as do inner vertices that no fresh face uses. Dead faces
+  // among the old ones are slots and nothing else. Vertices
   // that are new, or dead, come alive by being used. Constraint bits of rim sides are carried over; sides
   // inside have none. side_of stays right, most clockwise on the boundary.
   //

@@ -1,0 +1,168 @@
+#include "kernels/cleanup/patch_commit.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <memory>
+
+#include "kernels/cleanup/model_face.hpp"
+#include "kernels/cleanup/patch_placement.hpp"
+
+namespace quarry {
+
+template <GeometryModel Model>
+struct PatchCommit<Model>::Worker {
+  explicit Worker(const Model& model) : smoother(model) {}
+
+  FaceReplacer replacer;
+  LocalSmoother<Model> smoother;
+  PatchLayout layout;
+  std::vector<Point> points;            // by local number
+  std::vector<VertexId> vertices;       // by local number
+  std::vector<FaceCorners> fresh, old;  // corners
+  std::vector<Point> old_places;        // of the inner vertices, then of the rim
+  std::vector<VertexId> movable;
+  std::vector<FaceId> slots;
+};
+
+template <GeometryModel Model>
+PatchCommit<Model>::PatchCommit(const Mesh& mesh, const Model& model, const PatchOptions& options,
+                                PatchStars& stars, std::span<const PatchProposal> proposals)
+    : model_(&model),
+      options_(&options),
+      stars_(&stars),
+      proposals_(proposals),
+      tags_(ConstraintTags::of(mesh)),
+      outcomes_(proposals.size(), PatchOutcome::kWon),
+      workers_([&model] { return std::make_unique<Worker>(model); }) {}
+
+template <GeometryModel Model>
+PatchCommit<Model>::~PatchCommit() = default;
+
+template <GeometryModel Model>
+bool PatchCommit<Model>::propose(const Mesh& /*mesh*/, Item item, Cavity& cavity, Plan& /*plan*/) const {
+  const PatchProposal& proposal = proposals_[item];
+  for (const auto* vertices : {&proposal.rim, &proposal.inner, &proposal.ring})
+    for (const VertexId v : *vertices) cavity.claim(v);
+  // A fill of the same rim has as many vertices more as it has faces more.
+  const auto before = static_cast<std::uint32_t>(proposal.faces.size());
+  const std::uint32_t more = proposal.fresh_faces > before ? proposal.fresh_faces - before : 0;
+  cavity.will_create(more, more);
+  return true;
+}
+
+template <GeometryModel Model>
+void PatchCommit<Model>::apply(MeshEditor& editor, Item item, const Plan& /*plan*/, NewIds ids,
+                               FollowUps<Item>& /*follow_ups*/) const {
+  const PatchProposal& proposal = proposals_[item];
+  const typename ScratchPool<Worker>::Loan worker(workers_);
+  const double before = smallest_before(editor, proposal);
+  const double energy = energy_of(editor.mesh(), proposal.inner) + energy_of(editor.mesh(), proposal.rim);
+  save(editor, proposal, *worker);
+  place(editor, proposal, ids, *worker);
+  const std::span<const FaceId> made =
+      worker->replacer.replace(editor, tags_, proposal.faces, worker->fresh, ids);
+  const double after = smallest_after(editor, made, *worker);
+  const bool good = after > 0 && after >= std::min(options_->least_jacobian, before);
+  if (good)
+    for (const VertexId v : worker->vertices) stars_->update(editor.mesh(), v);
+  const bool gains = good && energy_of(editor.mesh(), worker->vertices) < energy;
+  outcomes_[item] = gains ? PatchOutcome::kWon : (good ? PatchOutcome::kNoGain : PatchOutcome::kQuality);
+  if (!gains) {
+    // Every face gets its old number: other proposals name it.
+    worker->slots = proposal.faces;
+    worker->slots.insert(worker->slots.end(), made.begin() + std::min(made.size(), proposal.faces.size()),
+                         made.end());
+    worker->replacer.replace(editor, tags_, worker->slots, worker->old, ids);
+    restore(editor, proposal, *worker);
+  }
+  // Old inner vertices may be gone.
+  const auto update = [&](VertexId v) { stars_->update(editor.mesh(), v); };
+  std::for_each(proposal.inner.begin(), proposal.inner.end(), update);
+  std::for_each(worker->vertices.begin(), worker->vertices.end(), update);
+}
+
+template <GeometryModel Model>
+void PatchCommit<Model>::save(const MeshEditor& editor, const PatchProposal& proposal, Worker& worker) const {
+  worker.old.clear();
+  for (const FaceId f : proposal.faces)
+    worker.old.push_back(
+        {editor.corner(f, 0), editor.corner(f, 1), editor.corner(f, 2), editor.corner(f, 3)});
+  worker.old_places.clear();
+  for (const auto* vertices : {&proposal.inner, &proposal.rim})
+    for (const VertexId v : *vertices) worker.old_places.push_back(place_of<Point>(editor, v));
+}
+
+template <GeometryModel Model>
+void PatchCommit<Model>::restore(MeshEditor& editor, const PatchProposal& proposal,
+                                 const Worker& worker) const {
+  std::size_t i = 0;
+  for (const auto* vertices : {&proposal.inner, &proposal.rim})
+    for (const VertexId v : *vertices) set_place(editor, v, worker.old_places[i++]);
+}
+
+// Names and places the vertices of the fill, and writes down its faces.
+template <GeometryModel Model>
+void PatchCommit<Model>::place(MeshEditor& editor, const PatchProposal& proposal, NewIds& ids,
+                               Worker& worker) const {
+  worker.layout.build(proposal.fill, static_cast<std::uint32_t>(proposal.rim.size()),
+                      proposal.sides.corner_places());
+  worker.points.clear();
+  for (const VertexId v : proposal.rim) worker.points.push_back(place_of<Point>(editor, v));
+  place_layout(worker.layout, worker.points);
+  worker.vertices = proposal.rim;
+  worker.movable.clear();
+  for (std::uint32_t i = worker.layout.rim(); i < worker.layout.vertices(); ++i) {
+    const std::size_t place = i - worker.layout.rim();
+    const VertexId v = place < proposal.inner.size() ? proposal.inner[place] : ids.take_vertex();
+    worker.vertices.push_back(v);
+    worker.movable.push_back(v);
+    set_place(editor, v, model_->project(worker.points[i]));
+  }
+  for (const VertexId v : proposal.rim)
+    if (stars_->movable(v)) worker.movable.push_back(v);
+  worker.fresh.clear();
+  for (const PatchLayout::Quad& quad : worker.layout.quads())
+    worker.fresh.push_back({worker.vertices[quad[0]], worker.vertices[quad[1]], worker.vertices[quad[2]],
+                            worker.vertices[quad[3]]});
+}
+
+template <GeometryModel Model>
+double PatchCommit<Model>::smallest_before(const MeshEditor& editor, const PatchProposal& proposal) const {
+  double smallest = 1;
+  for (const FaceId f : proposal.faces)
+    smallest = std::min(smallest, signed_scaled_jacobian(editor.mesh(), *model_, f));
+  // Faces around the rim are moved as well. Those of the patch are met twice, which changes no minimum.
+  for (const VertexId v : proposal.rim) {
+    if (!stars_->movable(v)) continue;
+    for_each_side_around(editor.mesh(), v, [&](SideId s) {
+      smallest = std::min(smallest, signed_scaled_jacobian(editor.mesh(), *model_, s.face()));
+    });
+  }
+  return smallest;
+}
+
+template <GeometryModel Model>
+double PatchCommit<Model>::smallest_after(MeshEditor& editor, std::span<const FaceId> made,
+                                          Worker& worker) const {
+  double smallest = 1;
+  // The smoother does not look at faces that it cannot change.
+  const auto moves = [&](VertexId v) { return !editor.mesh().on_boundary(v) && !stars_->pinned(v); };
+  for (const FaceId f : made) {
+    bool frozen = true;
+    for (int k = 0; k < 4; ++k) frozen = frozen && !moves(editor.corner(f, k));
+    if (frozen) smallest = std::min(smallest, signed_scaled_jacobian(editor.mesh(), *model_, f));
+  }
+  if (!(smallest > 0) || worker.movable.empty()) return smallest;
+  return std::min(smallest, worker.smoother.run(editor, worker.movable, options_->smoothing));
+}
+
+template <GeometryModel Model>
+double PatchCommit<Model>::energy_of(const Mesh& mesh, std::span<const VertexId> vertices) const {
+  double energy = 0;
+  for (const VertexId v : vertices) energy += stars_->energy(mesh, v, stars_->faces(v));
+  return energy;
+}
+
+template class PatchCommit<PlaneModel>;
+
+}  // namespace quarry

@@ -1,0 +1,124 @@
+#include "kernels/cleanup/patch_growth.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+namespace quarry {
+
+void PatchGrowth::begin(const Mesh& mesh, const PatchStars& stars, std::size_t largest) {
+  mesh_ = &mesh;
+  stars_ = &stars;
+  largest_ = largest;
+  if (++epoch_ == 0) {
+    std::fill(face_stamp_.begin(), face_stamp_.end(), 0U);
+    std::fill(counts_.begin(), counts_.end(), Counts{});
+    epoch_ = 1;
+  }
+  if (face_stamp_.size() < mesh.face_slots()) face_stamp_.resize(mesh.face_slots());
+  if (counts_.size() < mesh.vertex_slots()) counts_.resize(mesh.vertex_slots());
+  vertices_ = edges_ = 0;
+  charge_ = 0;
+  energy_ = 0;
+  faces_.clear();
+  members_.clear();
+  rim_.clear();
+  work_.clear();
+}
+
+void PatchGrowth::meet(VertexId v) {
+  Counts& counts = counts_[v.value()];
+  if (counts.epoch == epoch_) return;
+  counts = {epoch_, 0, 0};
+  ++vertices_;
+  charge_ += stars_->ideal(v) - stars_->faces(v);
+  energy_ += stars_->energy(*mesh_, v, stars_->faces(v));
+  members_.push_back(v);
+  rim_.push_back(v);
+}
+
+bool PatchGrowth::add_face(FaceId f) {
+  if (contains(f)) return true;
+  if (faces_.size() == largest_ || mesh_->corner_count(f) != 4) return false;
+  face_stamp_[f.value()] = epoch_;
+  faces_.push_back(f);
+  for (int i = 0; i < 4; ++i) {
+    const VertexId v = mesh_->corner(f, i);
+    meet(v);
+    ++counts_[v.value()].faces;
+    work_.push_back(v);
+  }
+  for (int i = 0; i < 4; ++i) {
+    const SideId s(f, i);
+    const SideId across = mesh_->neighbour(s);
+    Counts& from = counts_[mesh_->origin(s).value()];
+    Counts& to = counts_[mesh_->target(s).value()];
+    if (across.valid() && contains(across.face())) {
+      --from.rim_edges;
+      --to.rim_edges;
+    } else {
+      ++edges_;
+      ++from.rim_edges;
+      ++to.rim_edges;
+    }
+  }
+  return true;
+}
+
+bool PatchGrowth::add_star(VertexId v) {
+  if (stars_->pinned(v)) return false;
+  bool added = true;
+  for_each_side_around(*mesh_, v, [&](SideId s) { added = added && add_face(s.face()); });
+  return added;
+}
+
+bool PatchGrowth::settle(VertexId v) {
+  const Counts& counts = counts_[v.value()];
+  if (counts.rim_edges == 0) return !stars_->pinned(v);
+  if (outside(v) == 0) return true;
+  if (counts.rim_edges > 2 || outer_angle(v) < 0) return add_star(v);
+  return true;
+}
+
+bool PatchGrowth::make_convex() {
+  while (!work_.empty()) {
+    const VertexId v = work_.back();
+    work_.pop_back();
+    if (!settle(v)) return false;
+  }
+  return true;
+}
+
+std::span<const VertexId> PatchGrowth::rim_vertices() {
+  std::erase_if(rim_, [&](VertexId v) { return counts_[v.value()].rim_edges == 0; });
+  return rim_;
+}
+
+void PatchGrowth::walk_rim(std::vector<VertexId>& rim) {
+  rim.clear();
+  const std::span<const VertexId> members = rim_vertices();
+  if (members.empty()) return;
+  const auto leaves = [&](SideId s) {
+    const SideId across = mesh_->neighbour(s);
+    return !across.valid() || !contains(across.face());
+  };
+  SideId first;
+  for_each_side_around(*mesh_, *std::min_element(members.begin(), members.end()), [&](SideId s) {
+    if (contains(s.face()) && leaves(s)) first = s;
+  });
+  SideId s = first;
+  do {
+    rim.push_back(mesh_->origin(s));
+    s = mesh_->next(s);
+    while (!leaves(s)) s = mesh_->next(mesh_->neighbour(s));
+  } while (s != first);
+  assert(rim.size() == members.size());
+}
+
+VertexId PatchGrowth::smallest_irregular() const {
+  VertexId smallest;
+  for (const VertexId v : members_)
+    if (v < smallest && stars_->irregular(v)) smallest = v;
+  return smallest;
+}
+
+}  // namespace quarry

@@ -1,0 +1,29 @@
+// Options of one-defect patches.
+#pragma once
+
+#include <cstddef>
+
+#include "kernels/cleanup/patch_stars.hpp"
+#include "kernels/smooth/local_smoother.hpp"
+
+namespace quarry {
+
+struct PatchOptions {
+  std::size_t largest = 512;  // faces a patch may have: the size class
+  int partners = 4;           // nearest irregular vertices that a seed is paired with, one after the other
+  int directions = 4;  // then growth on one side of the seed only, along so many of its edges; 0: never
+  // Faces of a fill, as a share of those before.
+  double fewest_faces = 0.6, most_faces = 1.7;
+  // The whole mesh: fills that take its number of faces further than these shares from `wanted_faces` (0:
+  // those at the start) are left out.
+  double most_growth = 0.1, most_shrinkage = 0.1;
+  std::size_t wanted_faces = 0;
+  // A fill is kept if its smallest scaled Jacobian, with the ring around it and after smoothing, is at least
+  // the smaller of this and what it was.
+  double least_jacobian = 0.3;
+  LocalShapeOptions smoothing;
+  IrregularPrice price;  // empty: all places cost the same
+  bool reverse = false;  // commit winners last to first: a test that they are independent
+};
+
+}  // namespace quarry

@@ -1,0 +1,31 @@
+// One-defect patches (Bunin 2006): around irregular vertices, regions are found that can be meshed anew with
+// fewer of them. One call treats one size class; sweeps over the whole mesh belong between the classes.
+#pragma once
+
+#include <vector>
+
+#include "engine/base/progress.hpp"
+#include "engine/geometry/model.hpp"
+#include "engine/mesh/mesh.hpp"
+#include "kernels/cleanup/patch_options.hpp"
+#include "kernels/cleanup/patch_report.hpp"
+
+namespace quarry {
+
+// Searches around all irregular vertices, then around those that commits have changed, until nothing is
+// found. Each commit lowers the valence energy; boundary vertices and sides stay as they are, pinned vertices
+// too. The mesh: cut open along constraints, with ConstraintTags and the vertex tag "ideal_faces". Triangles
+// are left alone: no patch contains one. Tombstones stay. The result does not depend on the number of
+// threads.
+template <GeometryModel Model>
+PatchReport remesh_patches(Mesh& cut_open, const Model& model, const PatchOptions& options,
+                           const Progress& progress);
+
+extern template PatchReport remesh_patches<PlaneModel>(Mesh&, const PlaneModel&, const PatchOptions&,
+                                                       const Progress&);
+
+// The size classes to run one after the other: 16, 32, ... as long as they are at most `largest`, and once
+// more with all faces when fewest is set (as few irregular vertices as possible, at the price of bent rows).
+[[nodiscard]] std::vector<std::size_t> patch_classes(std::size_t largest, bool fewest, std::size_t faces);
+
+}  // namespace quarry

@@ -1,0 +1,235 @@
+#include "kernels/cleanup/patch_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "engine/base/random.hpp"
+#include "kernels/cleanup/ideal.hpp"
+
+namespace quarry {
+namespace {
+
+PatchReject no_solution(std::uint32_t sides) {
+  return static_cast<PatchReject>(static_cast<std::uint32_t>(PatchReject::kNoSolution3) + sides - 3);
+}
+
+// Where on the rim the two grids of a pair meet.
+std::uint32_t apex_place(const PatchSides& sides, const PatchFill& fill, std::size_t rim) {
+  return static_cast<std::uint32_t>((sides.corners[fill.first] + fill.split) % rim);
+}
+
+}  // namespace
+
+std::optional<PatchProposal> PatchSearch::find(VertexId seed, std::span<const std::uint64_t> refused,
+                                               PatchReport& report) {
+  refused_ = refused;
+  ++report.searches;
+  Candidate found;
+  // A path through more of the mesh than the patch may hold leads nowhere.
+  partners_.begin(*mesh_, *stars_, seed, options_->largest);
+  nearest_path_.clear();
+  for (int i = 0; i < options_->partners; ++i) {
+    const VertexId partner = partners_.next();
+    if (!partner.valid()) break;
+    partners_.path_from(partner, path_);
+    if (i == 0) nearest_path_ = path_;
+    if (grow(seed, VertexId(), found, report)) return propose(found);
+  }
+  if (nearest_path_.empty()) return std::nullopt;
+  path_ = nearest_path_;
+  std::vector<VertexId> ends;
+  for_each_side_around(*mesh_, seed, [&](SideId s) { ends.push_back(mesh_->target(s)); });
+  for (std::size_t i = 0; i < ends.size() && i < static_cast<std::size_t>(options_->directions); ++i)
+    if (grow(seed, ends[i], found, report)) return propose(found);
+  return std::nullopt;
+}
+
+bool PatchSearch::grow(VertexId seed, VertexId towards, Candidate& found, PatchReport& report) {
+  growth_.begin(*mesh_, *stars_, options_->largest);
+  bool growing = std::all_of(path_.begin(), path_.end(), [&](VertexId v) { return growth_.add_star(v); });
+  bool fits = false;
+  while (growing && growth_.make_convex()) {
+    ++report.stages;
+    fits = try_stage(found, report);
+    if (fits) break;
+    growing = add_ring(seed, towards);
+  }
+  report.grown_faces += growth_.faces().size();
+  return fits;
+}
+
+// False if nothing can be added.
+bool PatchSearch::add_ring(VertexId seed, VertexId towards) {
+  const std::span<const VertexId> rim = growth_.rim_vertices();
+  ring_.assign(rim.begin(), rim.end());
+  const std::size_t before = growth_.faces().size();
+  const Vec3 origin = mesh_->point3(seed);
+  const Vec3 direction = towards.valid() ? mesh_->point3(towards) - origin : Vec3();
+  for (const VertexId v : ring_) {
+    if (stars_->pinned(v) || dot(mesh_->point3(v) - origin, direction) < 0) continue;
+    if (!growth_.add_star(v)) return false;
+  }
+  return growth_.faces().size() > before;
+}
+
+bool PatchSearch::try_stage(Candidate& found, PatchReport& report) {
+  if (!growth_.is_disk()) {
+    report.reject(PatchReject::kNoDisk);
+    return false;
+  }
+  // No fill changes the charge, and none has less energy than the charge asks for.
+  if (!stars_->has_price() && growth_.energy() <= std::abs(growth_.charge())) {
+    report.reject(PatchReject::kNoGain);
+    return false;
+  }
+  growth_.walk_rim(rim_);
+  const PatchSides outer = find_sides(growth_, rim_, CornerRule::kOuterAngle);
+  if (try_sides(outer, found, report)) return true;
+  const PatchSides inner = find_sides(growth_, rim_, CornerRule::kInnerFaces);
+  return inner != outer && try_sides(inner, found, report);
+}
+
+bool PatchSearch::try_sides(const PatchSides& sides, Candidate& found, PatchReport& report) {
+  const auto reject = [&](PatchReject reason) {
+    report.reject(reason);
+    return false;
+  };
+  if (sides.count < 3) return reject(PatchReject::kFewSides);
+  if (sides.count > kMostSides) return reject(PatchReject::kManySides);
+  const std::optional<PatchFill> fill = choose_fill(sides);
+  if (!fill) return reject(no_solution(sides.count));
+  const auto faces = static_cast<double>(count_faces(*fill, sides.side_lengths()));
+  const auto before = static_cast<double>(growth_.faces().size());
+  if (faces < options_->fewest_faces * before || faces > options_->most_faces * before)
+    return reject(PatchReject::kFaceBand);
+  found = {sides, *fill};
+  found.gain = growth_.energy() - energy_of(found);
+  if (!(found.gain > 0)) return reject(PatchReject::kNoGain);
+  if (joins_twice(found)) return reject(PatchReject::kDoubleEdge);
+  // What failed once would fail again.
+  return refused_.empty() || !std::binary_search(refused_.begin(), refused_.end(), key());
+}
+
+std::optional<PatchFill> PatchSearch::choose_fill(const PatchSides& sides) const {
+  std::optional<PatchFill> fill = solve_fill(sides.side_lengths());
+  if (!fill && sides.count == 4) fill = choose_pair(sides);
+  return fill;
+}
+
+// The apex goes where one face more costs least, and of such places to the one nearest to the middle.
+std::optional<PatchFill> PatchSearch::choose_pair(const PatchSides& sides) const {
+  std::optional<PatchFill> best;
+  double least = 0;
+  std::uint32_t nearest = 0;
+  for (std::uint8_t first = 0; first < 4; ++first) {
+    std::optional<PatchFill> fill = solve_pair(sides.side_lengths(), first);
+    if (!fill) continue;
+    const std::uint32_t edges = sides.lengths[first];
+    for (fill->split = 1; fill->split < edges; ++fill->split) {
+      const VertexId apex = rim_[apex_place(sides, *fill, rim_.size())];
+      const int faces = growth_.outside(apex) + 3;
+      const double more = stars_->energy(*mesh_, apex, faces) - stars_->energy(*mesh_, apex, faces - 1);
+      const std::uint32_t off = fill->split * 2 > edges ? fill->split * 2 - edges : edges - fill->split * 2;
+      if (best && !(more < least || (more == least && off < nearest))) continue;
+      best = fill;
+      least = more;
+      nearest = off;
+    }
+  }
+  return best;
+}
+
+double PatchSearch::energy_of(const Candidate& candidate) {
+  const PatchSides& sides = candidate.sides;
+  const PatchFill& fill = candidate.fill;
+  double energy = 0;
+  std::uint32_t corner = 0;
+  for (std::uint32_t i = 0; i < rim_.size(); ++i) {
+    const bool at_corner = corner < sides.count && sides.corners[corner] == i;
+    corner += at_corner ? 1 : 0;
+    int faces = growth_.outside(rim_[i]) + (at_corner ? 1 : 2);
+    if (fill.kind == FillKind::kPair && i == apex_place(sides, fill, rim_.size())) ++faces;
+    energy += stars_->energy(*mesh_, rim_[i], faces);
+  }
+  if (fill.kind == FillKind::kGrid) return energy;
+  const int weight = fill.kind == FillKind::kSix ? valence_energy(6, 4) : valence_energy(5, 4);
+  return energy + (stars_->has_price() ? weight * defect_price(candidate) : weight);
+}
+
+// At about the place where the defect will lie: the mean of the ends of its spokes on the rim.
+double PatchSearch::defect_price(const Candidate& candidate) {
+  layout_.build(candidate.fill, static_cast<std::uint32_t>(rim_.size()), candidate.sides.corner_places());
+  const PatchLayout::Centre& centre = layout_.centre();
+  Vec3 sum;
+  double count = 0;
+  for (std::uint32_t i = 0; i < centre.count; ++i) {
+    if (centre.ends[i] >= rim_.size()) continue;
+    sum = sum + mesh_->point3(rim_[centre.ends[i]]);
+    count += 1;
+  }
+  return stars_->price_at((1 / count) * sum);
+}
+
+// True if an inside edge of the fill joins two rim vertices that have an edge outside as well. Only strips
+// one quad wide have such edges.
+bool PatchSearch::joins_twice(const Candidate& candidate) {
+  const auto rim = static_cast<std::uint32_t>(rim_.size());
+  const auto lengths = candidate.sides.side_lengths();
+  if (candidate.fill.kind != FillKind::kGrid && candidate.fill.kind != FillKind::kPair) return false;
+  if (std::find(lengths.begin(), lengths.end(), 1U) == lengths.end()) return false;
+  layout_.build(candidate.fill, rim, candidate.sides.corner_places());
+  const auto outside = [&](SideId s) { return s.valid() && !growth_.contains(s.face()); };
+  for (const PatchLayout::Quad& quad : layout_.quads()) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      const std::uint32_t a = quad[k];
+      const std::uint32_t b = quad[(k + 1) % 4];
+      if (a >= rim || b >= rim || b == (a + 1) % rim || a == (b + 1) % rim) continue;
+      if (outside(mesh_->find_side(rim_[a], rim_[b])) || outside(mesh_->find_side(rim_[b], rim_[a])))
+        return true;
+    }
+  }
+  return false;
+}
+
+std::uint64_t PatchSearch::key() const {
+  std::uint64_t sum = 0;
+  for (const VertexId v : growth_.vertices())
+    sum += mix64(v.value() | (std::uint64_t{growth_.on_rim(v)} << 32));
+  return sum;
+}
+
+PatchProposal PatchSearch::propose(const Candidate& candidate) {
+  PatchProposal proposal;
+  proposal.seed = growth_.smallest_irregular();
+  proposal.faces.assign(growth_.faces().begin(), growth_.faces().end());
+  proposal.rim = rim_;
+  for (const VertexId v : growth_.vertices())
+    if (!growth_.on_rim(v)) proposal.inner.push_back(v);
+  proposal.sides = candidate.sides;
+  proposal.fill = candidate.fill;
+  proposal.gain = candidate.gain;
+  proposal.fresh_faces =
+      static_cast<std::uint32_t>(count_faces(candidate.fill, candidate.sides.side_lengths()));
+  proposal.key = key();
+  collect_ring(proposal);
+  return proposal;
+}
+
+void PatchSearch::collect_ring(PatchProposal& proposal) {
+  std::size_t faces = 0;
+  for (const VertexId v : rim_) faces += static_cast<std::size_t>(growth_.outside(v));
+  seen_.clear(3 * faces);
+  for (const VertexId v : rim_) {
+    if (!stars_->movable(v)) continue;
+    for_each_side_around(*mesh_, v, [&](SideId s) {
+      if (growth_.contains(s.face())) return;
+      for (int k = 0; k < mesh_->corner_count(s.face()); ++k) {
+        const VertexId w = mesh_->corner(s.face(), k);
+        if (!growth_.contains(w) && seen_.insert(stamped_key(w)).is_new) proposal.ring.push_back(w);
+      }
+    });
+  }
+}
+
+}  // namespace quarry

@@ -1,0 +1,83 @@
+// Looks for a patch around one irregular vertex that can be filled with fewer or cheaper irregular vertices.
+// Reads only: seeds are searched in parallel.
+//
+// The patch starts with the faces around the path to another irregular vertex, grows until it is convex, and
+// then ring by ring until some rule for corners gives a fill that lowers the valence energy
+//   sum over patch and rim of w(faces - ideal),  w(1) = 1, w(j) = j^2
+// or it is too large. Where that fails the next partner is tried, and at last growth on one side of the seed
+// only: growing all around adds the same to every side, so that a wrong parity stays wrong. A patch never
+// contains a triangle, nor a vertex inside that is bound to its place.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "kernels/cleanup/patch_fill.hpp"
+#include "kernels/cleanup/patch_growth.hpp"
+#include "kernels/cleanup/patch_layout.hpp"
+#include "kernels/cleanup/patch_options.hpp"
+#include "kernels/cleanup/patch_partners.hpp"
+#include "kernels/cleanup/patch_report.hpp"
+#include "kernels/cleanup/patch_sides.hpp"
+#include "kernels/local/stamped_map.hpp"
+
+namespace quarry {
+
+struct PatchProposal {
+  VertexId seed;  // the smallest irregular vertex of the patch, rim included
+  std::vector<FaceId> faces;
+  std::vector<VertexId> rim;    // counter-clockwise from its smallest vertex
+  std::vector<VertexId> inner;  // inside: to be used again
+  std::vector<VertexId> ring;   // corners of the faces around the rim that smoothing and judgement read
+  PatchSides sides;
+  PatchFill fill;
+  std::uint32_t fresh_faces = 0;
+  double gain = 0;        // by so much the valence energy falls
+  std::uint64_t key = 0;  // of its vertices: equal patches have equal keys, whoever found them
+};
+
+class PatchSearch {
+ public:
+  PatchSearch(const Mesh& mesh, const PatchStars& stars, const PatchOptions& options)
+      : mesh_(&mesh), stars_(&stars), options_(&options) {}
+
+  // The first patch around seed that gains something and is not one of `refused`, keys in ascending order.
+  // Adds to the counts of the report.
+  [[nodiscard]] std::optional<PatchProposal> find(VertexId seed, std::span<const std::uint64_t> refused,
+                                                  PatchReport& report);
+
+ private:
+  struct Candidate {
+    PatchSides sides;
+    PatchFill fill;
+    double gain = 0;
+  };
+
+  // Grows from path_; towards: none, or the vertex beyond the seed in whose direction alone rings are added.
+  [[nodiscard]] bool grow(VertexId seed, VertexId towards, Candidate& found, PatchReport& report);
+  [[nodiscard]] bool add_ring(VertexId seed, VertexId towards);
+  [[nodiscard]] bool try_stage(Candidate& found, PatchReport& report);
+  [[nodiscard]] bool try_sides(const PatchSides& sides, Candidate& found, PatchReport& report);
+  [[nodiscard]] std::optional<PatchFill> choose_fill(const PatchSides& sides) const;
+  [[nodiscard]] std::optional<PatchFill> choose_pair(const PatchSides& sides) const;
+  [[nodiscard]] double energy_of(const Candidate& candidate);
+  [[nodiscard]] double defect_price(const Candidate& candidate);
+  [[nodiscard]] bool joins_twice(const Candidate& candidate);
+  [[nodiscard]] std::uint64_t key() const;
+  [[nodiscard]] PatchProposal propose(const Candidate& candidate);
+  void collect_ring(PatchProposal& proposal);
+
+  const Mesh* mesh_;
+  const PatchStars* stars_;
+  const PatchOptions* options_;
+  PatchGrowth growth_;
+  PatchPartners partners_;
+  PatchLayout layout_;
+  StampedMap<char> seen_;
+  std::span<const std::uint64_t> refused_;
+  std::vector<VertexId> path_, nearest_path_, ring_, rim_;
+};
+
+}  // namespace quarry

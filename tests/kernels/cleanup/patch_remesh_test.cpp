@@ -1,0 +1,269 @@
+#include "kernels/cleanup/patch_remesh.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "engine/base/random.hpp"
+#include "engine/mesh/build.hpp"
+#include "engine/mesh/validate.hpp"
+#include "engine/operation/editor.hpp"
+#include "engine/parallel/parallel.hpp"
+#include "kernels/cleanup/ideal.hpp"
+#include "kernels/quality/face.hpp"
+#include "tests/kernels/cleanup/patch_meshes.hpp"
+#include "tests/support/charge.hpp"
+#include "tests/support/mesh_arrays.hpp"
+
+namespace quarry {
+namespace {
+
+Mesh disk(std::size_t quads, std::uint64_t seed) {
+  Mesh mesh = test::disk_of_quads(quads, seed);
+  set_ideal_faces(mesh, PlaneModel());
+  return mesh;
+}
+
+int energy_of(const Mesh& mesh) {
+  const auto ideal = mesh.find_tag<VertexId, std::uint8_t>(kIdealTag);
+  int energy = 0;
+  for (const VertexId v : mesh.vertices()) {
+    if (!mesh.alive(v)) continue;
+    int faces = 0;
+    for_each_side_around(mesh, v, [&](SideId) { ++faces; });
+    energy += valence_energy(faces, ideal[v]);
+  }
+  return energy;
+}
+
+std::size_t count_irregular(const Mesh& mesh) {
+  std::size_t count = 0;
+  for (const VertexId v : mesh.vertices()) {
+    if (!mesh.alive(v) || mesh.on_boundary(v)) continue;
+    int faces = 0;
+    for_each_side_around(mesh, v, [&](SideId) { ++faces; });
+    count += faces != 4 ? 1 : 0;
+  }
+  return count;
+}
+
+// Boundary sides by their ends, with the places of these.
+std::vector<std::pair<std::pair<VertexId, VertexId>, Vec2>> boundary_of(const Mesh& mesh) {
+  std::vector<std::pair<std::pair<VertexId, VertexId>, Vec2>> sides;
+  for (const FaceId f : mesh.faces()) {
+    if (!mesh.alive(f)) continue;
+    for (int k = 0; k < mesh.corner_count(f); ++k) {
+      const SideId s(f, k);
+      if (!mesh.neighbour(s).valid())
+        sides.push_back({{mesh.origin(s), mesh.target(s)}, mesh.point(mesh.origin(s))});
+    }
+  }
+  std::sort(sides.begin(), sides.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  return sides;
+}
+
+PatchOptions options_of(std::size_t largest) {
+  PatchOptions options;
+  options.largest = largest;
+  return options;
+}
+
+TEST(RemeshPatches, LowersTheEnergyAndKeepsChargeValidityAndTheBoundary) {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Mesh mesh = disk(1500, seed);
+    const int charge = test::charge_of(mesh);
+    const auto boundary = boundary_of(mesh);
+    for (const std::size_t largest : patch_classes(256, false, 0)) {
+      SCOPED_TRACE("class " + std::to_string(largest));
+      const int before = energy_of(mesh);
+      const PatchReport report = remesh_patches(mesh, PlaneModel(), options_of(largest), Progress());
+      EXPECT_EQ(validate(mesh, GeometryCheck::kPlanarCorners), "");
+      EXPECT_EQ(test::charge_of(mesh), charge);
+      EXPECT_EQ(boundary_of(mesh), boundary);
+      const int after = energy_of(mesh);
+      if (report.count_won() > 0) {
+        EXPECT_LT(after, before);
+      } else {
+        EXPECT_EQ(after, before);
+      }
+    }
+    EXPECT_LT(count_irregular(mesh), 30U);
+  }
+}
+
+TEST(RemeshPatches, LeavesFourIrregularVerticesInASmallDisk) {
+  Mesh mesh = disk(800, 5);
+  for (const std::size_t largest : patch_classes(16, true, mesh.count_alive_faces()))
+    remesh_patches(mesh, PlaneModel(), options_of(largest), Progress());
+  EXPECT_EQ(validate(mesh, GeometryCheck::kPlanarCorners), "");
+  EXPECT_EQ(count_irregular(mesh), 4U);
+}
+
+TEST(RemeshPatches, FindsNothingInAGrid) {
+  std::vector<double> x, y;
+  std::vector<FaceCorners> faces;
+  for (std::uint32_t row = 0; row < 9; ++row)
+    for (std::uint32_t column = 0; column < 9; ++column) {
+      x.push_back(column);
+      y.push_back(row);
+    }
+  for (std::uint32_t row = 0; row < 8; ++row)
+    for (std::uint32_t column = 0; column < 8; ++column) {
+      const std::uint32_t a = 9 * row + column;
+      faces.push_back({VertexId(a), VertexId(a + 1), VertexId(a + 10), VertexId(a + 9)});
+    }
+  Mesh mesh = build_mesh(std::move(x), std::move(y), faces);
+  ConstraintTags::add_to(mesh);
+  set_ideal_faces(mesh, PlaneModel());
+  const PatchReport report = remesh_patches(mesh, PlaneModel(), options_of(512), Progress());
+  EXPECT_EQ(report.seeds, 0U);
+  EXPECT_EQ(report.searches, 0U);
+}
+
+TEST(RemeshPatches, NeverMovesNorRemovesAPinnedVertex) {
+  Mesh mesh = disk(1000, 7);
+  ConstraintTags tags = ConstraintTags::of(mesh);
+  std::vector<std::pair<VertexId, Vec2>> pinned;
+  for (std::uint32_t i = 0; i < mesh.vertex_slots(); i += 13) {
+    const VertexId v(i);
+    if (!mesh.alive(v) || mesh.on_boundary(v)) continue;
+    tags.support[v] = Support::fixed();
+    pinned.emplace_back(v, mesh.point(v));
+  }
+  for (const std::size_t largest : patch_classes(64, false, 0))
+    remesh_patches(mesh, PlaneModel(), options_of(largest), Progress());
+  for (const auto& [v, place] : pinned) {
+    EXPECT_TRUE(mesh.alive(v));
+    EXPECT_EQ(mesh.point(v), place);
+  }
+  EXPECT_EQ(validate(mesh, GeometryCheck::kPlanarCorners), "");
+}
+
+TEST(RemeshPatches, KeepsTheSmallestScaledJacobianAboveTheFloor) {
+  Mesh mesh = disk(1500, 9);
+  PatchOptions options = options_of(64);
+  options.least_jacobian = 0.5;
+  double before = 1;
+  for (const double value : scaled_jacobians(mesh)) before = std::min(before, value);
+  remesh_patches(mesh, PlaneModel(), options, Progress());
+  for (const FaceId f : mesh.faces())
+    if (mesh.alive(f)) {
+      EXPECT_GE(scaled_jacobian(mesh, f), std::min(0.5, before) - 1e-12);
+    }
+}
+
+TEST(RemeshPatches, KeepsToTheGivenGrowth) {
+  Mesh mesh = disk(1500, 11);
+  const auto faces = static_cast<double>(mesh.count_alive_faces());
+  PatchOptions options;
+  options.most_growth = options.most_shrinkage = 0.02;
+  for (const std::size_t largest : patch_classes(128, false, 0)) {
+    options.largest = largest;
+    options.wanted_faces = static_cast<std::size_t>(faces);
+    remesh_patches(mesh, PlaneModel(), options, Progress());
+    const auto now = static_cast<double>(mesh.count_alive_faces());
+    EXPECT_LE(now, 1.02 * faces);
+    EXPECT_GE(now, 0.98 * faces);
+  }
+}
+
+TEST(RemeshPatches, KeepsTriangles) {
+  Mesh mesh = disk(1000, 13);
+  // Quads in the middle are cut in two.
+  ConstraintTags tags = ConstraintTags::of(mesh);
+  std::size_t cut = 0;
+  for (std::uint32_t i = 0; i < mesh.face_slots() && cut < 10; i += 97, ++cut) {
+    const FaceId f(i);
+    const std::array<SideId, 4> across = {mesh.neighbour(SideId(f, 0)), mesh.neighbour(SideId(f, 1)),
+                                          mesh.neighbour(SideId(f, 2)), mesh.neighbour(SideId(f, 3))};
+    const std::array<VertexId, 4> c = {mesh.corner(f, 0), mesh.corner(f, 1), mesh.corner(f, 2),
+                                       mesh.corner(f, 3)};
+    const FaceId g = mesh.grow_faces(1);
+    MeshEditor editor(mesh);
+    editor.set_triangle(f, c[0], c[1], c[2]);
+    editor.set_triangle(g, c[2], c[3], c[0]);
+    editor.join(SideId(f, 2), SideId(g, 2));
+    editor.join(SideId(f, 0), across[0]);
+    editor.join(SideId(f, 1), across[1]);
+    editor.join(SideId(g, 0), across[2]);
+    editor.join(SideId(g, 1), across[3]);
+    tags.sides[g] = 0;
+  }
+  rebuild_sides_of_vertices(mesh);
+  ASSERT_EQ(validate(mesh, GeometryCheck::kNone), "");
+  const int charge = test::charge_of(mesh);
+  for (const std::size_t largest : patch_classes(64, false, 0))
+    remesh_patches(mesh, PlaneModel(), options_of(largest), Progress());
+  std::size_t triangles = 0;
+  for (const FaceId f : mesh.faces()) triangles += mesh.alive(f) && mesh.corner_count(f) == 3 ? 1 : 0;
+  EXPECT_EQ(triangles, 2 * cut);
+  EXPECT_EQ(test::charge_of(mesh), charge);
+  EXPECT_EQ(validate(mesh, GeometryCheck::kPlanarCorners), "");
+}
+
+// Irregular vertices left of the middle, over some disks.
+std::size_t count_left(const IrregularPrice& price) {
+  std::size_t count = 0;
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    Mesh mesh = disk(1500, seed);
+    PatchOptions options;
+    options.price = price;
+    for (const std::size_t largest : patch_classes(512, false, 0)) {
+      options.largest = largest;
+      remesh_patches(mesh, PlaneModel(), options, Progress());
+    }
+    EXPECT_EQ(validate(mesh, GeometryCheck::kPlanarCorners), "");
+    for (const VertexId v : mesh.vertices()) {
+      if (!mesh.alive(v) || mesh.on_boundary(v) || mesh.point(v).x >= 0) continue;
+      int faces = 0;
+      for_each_side_around(mesh, v, [&](SideId) { ++faces; });
+      count += faces != 4 ? 1 : 0;
+    }
+  }
+  return count;
+}
+
+TEST(RemeshPatches, LeavesFewerIrregularVerticesWhereTheyAreDear) {
+  const std::size_t plain = count_left({});
+  const std::size_t priced = count_left([](Vec3 p) { return p.x < 0 ? 20.0 : 1.0; });
+  EXPECT_LT(priced, plain);
+}
+
+std::vector<std::uint64_t> remeshed(bool reverse) {
+  Mesh mesh = disk(1200, 17);
+  for (const std::size_t largest : patch_classes(128, false, 0)) {
+    PatchOptions options = options_of(largest);
+    options.reverse = reverse;
+    remesh_patches(mesh, PlaneModel(), options, Progress());
+  }
+  return test::arrays_of(mesh);
+}
+
+TEST(RemeshPatches, IsTheSameOnAnyNumberOfThreadsAndInAnyOrderOfWinners) {
+  std::vector<std::uint64_t> serial;
+  parallel::with_threads(1, [&] { serial = remeshed(false); });
+  EXPECT_EQ(remeshed(true), serial);
+  for (const int threads : {2, 4, 7}) {
+    const parallel::ParticipationProbe probe;
+    std::vector<std::uint64_t> result;
+    parallel::with_threads(threads, [&] { result = remeshed(false); });
+    EXPECT_EQ(result, serial) << threads << " threads";
+    EXPECT_GT(probe.chunks_of_other_threads(), 0U) << threads << " threads";
+  }
+}
+
+#ifdef QUARRY_CHECK_CLAIMS
+TEST(RemeshPatches, StaysInsideItsClaims) {
+  reset_claim_violations();
+  remeshed(false);
+  EXPECT_EQ(claim_violations().count, 0U) << claim_violations().first;
+}
+#endif
+
+}  // namespace
+}  // namespace quarry
