@@ -27,6 +27,18 @@ Canvas::Format format_of(const std::string& path) {
       fmt::format("{}: the picture format \"{}\" is not known; use one of .svg, .png", path, extension));
 }
 
+bool shows_a_face(const Mesh& mesh, const Box2& window) {
+  for (const FaceId f : mesh.faces()) {
+    if (!mesh.alive(f)) continue;
+    Box2 box;
+    for (int k = 0; k < mesh.corner_count(f); ++k) box.extend(mesh.point(mesh.corner(f, k)));
+    if (box.low.x < window.high.x && window.low.x < box.high.x && box.low.y < window.high.y &&
+        window.low.y < box.high.y)
+      return true;
+  }
+  return false;
+}
+
 void check(const std::string& path, const Mesh& mesh, const PictureOptions& options) {
   const auto refuse = [&](std::string_view reason) {
     throw Error(ErrorKind::kUsage, fmt::format("{}: {}", path, reason));
@@ -37,6 +49,13 @@ void check(const std::string& path, const Mesh& mesh, const PictureOptions& opti
   if (mesh.count_alive_faces() == 0) refuse("a mesh without faces cannot be drawn");
   if (options.window && !(options.window->width() > 0 && options.window->height() > 0))
     refuse("the window of a picture needs a width and a height");
+  if (options.window && !shows_a_face(mesh, *options.window)) {
+    const Box2 box = mesh.box();
+    refuse(fmt::format("no face lies in the window {} to {}; the mesh lies in {} to {}",
+                       format_point(options.window->low.x, options.window->low.y),
+                       format_point(options.window->high.x, options.window->high.y),
+                       format_point(box.low.x, box.low.y), format_point(box.high.x, box.high.y)));
+  }
   if (options.colours == PictureColours::kQuality && options.quality.size() != mesh.face_slots())
     throw Error(ErrorKind::kBug,
                 fmt::format("{} quality values for {} faces", options.quality.size(), mesh.face_slots()));

@@ -29,8 +29,8 @@ struct PictureOptions {
 };
 
 // Writes .svg or .png as the extension says. Throws Error(kUsage) for another extension, a width outside
-// [64, 20000], an empty window, a mesh in space or one without faces; Error(kOutput) where it cannot be
-// written.
+// [64, 20000], a window that is empty or holds no face, a mesh in space or one without faces; Error(kOutput)
+// where it cannot be written.
 void write_picture(const std::string& path, const Mesh& mesh, const PictureOptions& options);
 
 // Throws Error(kUsage) unless write_picture knows the extension: for a check before a long job.

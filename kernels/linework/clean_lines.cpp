@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "engine/base/error.hpp"
 #include "engine/geometry/hilbert.hpp"
@@ -137,7 +138,9 @@ bool any_line_left(const PathNetwork& network) {
   });
 }
 
-std::string first_file(const LineSet& lines) { return lines.files.empty() ? "input" : lines.files[0]; }
+std::string all_files(const LineSet& lines) {
+  return lines.files.empty() ? "input" : fmt::format("{}", fmt::join(lines.files, ", "));
+}
 
 void require_lines(const LineSet& lines, const PathNetwork& network, double snap) {
   if (any_line_left(network)) return;
@@ -146,7 +149,7 @@ void require_lines(const LineSet& lines, const PathNetwork& network, double snap
       fmt::format(
           "{}: every line is so short that it is one point at the snapping distance of {:g} (all lie in {}); "
           "give a smaller size or --snap",
-          first_file(lines), snap, box_text(lines.box())));
+          all_files(lines), snap, box_text(lines.box())));
 }
 
 void require_lines_inside(const LineSet& lines, const Outline& outline, const PathNetwork& network) {
@@ -157,18 +160,18 @@ void require_lines_inside(const LineSet& lines, const Outline& outline, const Pa
   throw Error(
       ErrorKind::kInput,
       fmt::format("{}: the outline {} holds no part of any line; the lines lie in {}; give another boundary",
-                  first_file(lines), box_text(box), box_text(lines.box())));
+                  all_files(lines), box_text(box), box_text(lines.box())));
 }
 
 void require_domain(const Outline& outline, const std::vector<linework::EdgePlace>& places) {
   if (std::find(places.begin(), places.end(), linework::EdgePlace::kBoundary) != places.end()) return;
-  const Vec2 p =
-      outline.rings.empty() || outline.rings[0].points.empty() ? Vec2{} : outline.rings[0].points[0];
+  const OutlineRing ring = outline.rings.empty() ? OutlineRing() : outline.rings[0];
+  const Vec2 p = ring.points.empty() ? Vec2{} : ring.points[0];
   throw Error(
       ErrorKind::kInput,
-      fmt::format("the outline near {} has no area at this snapping distance; give a smaller size or another "
-                  "boundary",
-                  format_point(p.x, p.y)));
+      fmt::format("{}{}the outline near {} has no area at this snapping distance; give a smaller size or "
+                  "another boundary",
+                  ring.origin, ring.origin.empty() ? "" : ": ", format_point(p.x, p.y)));
 }
 
 // No invariant is kept at the cost of a line's course: rather no result.

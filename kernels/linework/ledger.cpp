@@ -78,11 +78,11 @@ class LedgerMaker {
     IdVector<LineId, LedgerEntry> ledger(lines_.lines.size());
     IdVector<LineId, Meetings> meetings(lines_.lines.size());
     IdVector<LineId, std::uint8_t> alive(lines_.lines.size());
-    for (std::size_t p = 0; p < network_.paths.size(); ++p) {
-      const LineId line = network_.raw[network_.paths[p].raw].line;
-      if (!line.valid() || network_.paths[p].steps.size() < 2) continue;
-      alive[line] = 1;
-      follow(p, line, meetings[line], ledger[line]);
+    for (std::size_t begin = 0; begin < network_.paths.size();) {
+      std::size_t end = begin + 1;
+      while (end < network_.paths.size() && network_.paths[end].raw == network_.paths[begin].raw) ++end;
+      follow_line(begin, end, alive, meetings, ledger);
+      begin = end;
     }
     for (std::size_t r = 0; r < network_.raw.size(); ++r)
       if (network_.raw[r].line.valid()) ledger[network_.raw[r].line].clipped_length += clipped[r];
@@ -98,11 +98,31 @@ class LedgerMaker {
   }
 
  private:
-  void follow(std::size_t p, LineId line, Meetings& meetings, LedgerEntry& entry) const {
+  // Paths [begin, end) are those of one raw line, in its order. Clipping cuts a line into several where it
+  // passes from the outline into the domain or leaves that; the ends of the line are those of them all
+  // together, and where one path ends and the next begins is between the ends.
+  void follow_line(std::size_t begin, std::size_t end, IdVector<LineId, std::uint8_t>& alive,
+                   IdVector<LineId, Meetings>& meetings, IdVector<LineId, LedgerEntry>& ledger) const {
+    const LineId line = network_.raw[network_.paths[begin].raw].line;
+    if (!line.valid()) return;
+    const auto has_edges = [&](std::size_t p) { return network_.paths[p].steps.size() > 1; };
+    while (begin < end && !has_edges(begin)) ++begin;
+    while (begin < end && !has_edges(end - 1)) --end;
+    if (begin == end) return;
+    alive[line] = 1;
+    const NodeId first = network_.paths[begin].steps.front().node;
+    const NodeId last = network_.paths[end - 1].steps.back().node;
+    for (std::size_t p = begin; p < end; ++p) {
+      if (!has_edges(p)) continue;
+      follow_pieces(p, line, meetings[line], ledger[line]);
+      follow_nodes(p, line, first != last && p == begin, first != last && p + 1 == end, meetings[line]);
+    }
+  }
+
+  void follow_pieces(std::size_t p, LineId line, Meetings& meetings, LedgerEntry& entry) const {
     const Path& path = network_.paths[p];
     const std::span<const Vec2> raw = network_.raw[path.raw].points;
-    const std::size_t last = path.steps.size() - 1;
-    for (std::size_t i = 0; i < last; ++i) {
+    for (std::size_t i = 0; i + 1 < path.steps.size(); ++i) {
       (void)on_edge_.others(network_.edge_of_step[network_.edge_begin[p] + i], line, meetings.along);
       const PathStep& from = path.steps[i];
       const PathStep& to = path.steps[i + 1];
@@ -113,9 +133,15 @@ class LedgerMaker {
         entry.moved_at = a;
       }
     }
-    const bool loop = path.steps.front().node == path.steps.back().node;
+  }
+
+  // starts, ends: the path begins where its line begins, ends where that ends.
+  void follow_nodes(std::size_t p, LineId line, bool starts, bool ends, Meetings& meetings) const {
+    const Path& path = network_.paths[p];
+    const std::span<const Vec2> raw = network_.raw[path.raw].points;
+    const std::size_t last = path.steps.size() - 1;
     for (std::size_t i = 0; i <= last; ++i) {
-      const bool end = !loop && (i == 0 || i == last);
+      const bool end = (starts && i == 0) || (ends && i == last);
       const Vec2 p_now = network_.nodes[path.steps[i].node];
       const bool moved = !(raw_point(raw, path.steps[i].at) == p_now);
       (void)at_node_.others(path.steps[i].node, line,

@@ -112,7 +112,7 @@ Nesting nest(const LineSet& lines, double near) {
 }
 
 OutlineRing ring_of(const LineSet& lines, LineId id, std::uint32_t polygon, bool input) {
-  return {lines.lines[id].points, polygon, input ? id : LineId()};
+  return {lines.lines[id].points, polygon, input ? id : LineId(), origin_of(lines, id)};
 }
 
 // Polygons as they were read: an outer ring and the holes that follow it.
@@ -145,10 +145,18 @@ std::vector<Vec2> corners(const Box2& box) {
   return {box.low, {box.high.x, box.low.y}, box.high, {box.low.x, box.high.y}, box.low};
 }
 
+[[noreturn]] void fail_without_points(const LineSet& lines) {
+  throw Error(ErrorKind::kInput,
+              fmt::format("{}: no line of the input has a point, from this one on; there is nothing to mesh",
+                          lines.lines.empty() ? "input" : origin_of(lines, LineId(0U))));
+}
+
 [[noreturn]] void fail_as_point(const LineSet& lines, Vec2 p) {
+  LineId first(0U);
+  while (lines.lines[first].points.empty()) first = LineId(first.value() + 1);
   throw Error(ErrorKind::kInput,
               fmt::format("{}: all points of the lines are one, {}; there is nothing to mesh",
-                          lines.files.empty() ? "input" : lines.files[0], format_point(p.x, p.y)));
+                          origin_of(lines, first), format_point(p.x, p.y)));
 }
 
 // Andrew's monotone chain, with exact turns; closed, counter-clockwise.
@@ -170,7 +178,7 @@ std::vector<Vec2> convex_hull(std::vector<Vec2> points) {
 
 Outline box_outline(const LineSet& lines, double near) {
   Box2 box = lines.box();
-  if (box.empty()) throw Error(ErrorKind::kInput, "the lines have no points; there is nothing to mesh");
+  if (box.empty()) fail_without_points(lines);
   const double longer = box.longer_side();
   if (!(longer > 0)) fail_as_point(lines, box.low);
   Outline outline;
@@ -194,7 +202,7 @@ Outline hull_outline(const LineSet& lines, double near) {
   std::vector<Vec2> points;
   for (const InputLine& line : lines.lines)
     points.insert(points.end(), line.points.begin(), line.points.end());
-  if (points.empty()) throw Error(ErrorKind::kInput, "the lines have no points; there is nothing to mesh");
+  if (points.empty()) fail_without_points(lines);
   std::vector<Vec2> hull = convex_hull(points);
   const double longer = lines.box().longer_side();
   if (hull.size() < 4 || area_of(hull) < longer * std::max(10 * near, 1e-9 * longer)) {

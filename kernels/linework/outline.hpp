@@ -25,6 +25,8 @@ struct OutlineRing {
   std::uint32_t polygon = 0;
   // The input line that the ring is; none for a box, a hull and the rings of a boundary file.
   LineId line;
+  // For messages: file, feature and line of a ring that was read.
+  std::string origin = {};
 };
 
 struct Outline {

@@ -70,6 +70,38 @@ TEST(DefaultOutline, IsTheUnionOfPolygonsThatOverlap) {
   EXPECT_EQ(interior_pieces(result.lines), 4U);
 }
 
+TEST(DefaultOutline, CallsPolygonsThatCrossSplit) {
+  // The second is turned a little, so that the crossings are no numbers of few digits.
+  const Points turned{{5, 5.3}, {15.1, 5}, {15.3, 15.2}, {5.2, 15}, {5, 5.3}};
+  for (const LineSet& raw :
+       {polygons_of({{square(0, 0, 10)}, {square(5, 5, 10)}}), polygons_of({{square(0, 0, 10)}, {turned}}),
+        lines_of({square(0, 0, 10), square(5, 5, 10)}), lines_of({square(0, 0, 10), turned})}) {
+    const CleanedLines result = cleaned_in(raw, default_outline(raw, 0.05));
+    for (const std::uint32_t i : {0U, 1U}) {
+      EXPECT_STREQ(name_of(result.ledger[line(i)].fate), "split") << result.ledger[line(i)].why;
+      EXPECT_EQ(result.ledger[line(i)].with, std::vector{line(1 - i)});
+    }
+  }
+}
+
+TEST(DefaultOutline, CallsPolygonsThatShareABorderJoined) {
+  const LineSet raw = polygons_of({{square(0, 0, 10)}, {square(10, 0, 10)}});
+  const CleanedLines result = cleaned_in(raw, default_outline(raw, 0.05));
+  EXPECT_STREQ(name_of(result.ledger[line(0)].fate), "joined");
+  EXPECT_STREQ(name_of(result.ledger[line(1)].fate), "joined");
+}
+
+TEST(DefaultOutline, CallsALineThatItCutsAwayClippedAndTellsWhatItMeets) {
+  LineSet raw = polygons_of({{square(0, 0, 10)}});
+  InputLine across;
+  across.points = {{-5, 5}, {15, 5}};
+  raw.lines.push_back(across);
+  const CleanedLines result = cleaned_in(raw, default_outline(raw, 0.05));
+  EXPECT_EQ(result.ledger[line(0)].fate, LineFate::kSplit);
+  EXPECT_EQ(result.ledger[line(1)].fate, LineFate::kClipped);
+  EXPECT_EQ(result.ledger[line(1)].with, std::vector{line(0)});
+}
+
 TEST(DefaultOutline, FillsAHoleThatAnIslandFills) {
   const LineSet raw = polygons_of({{square(0, 0, 10), square(4, 4, 2)}, {square(4, 4, 2)}});
   const CleanedLines result = cleaned_in(raw, default_outline(raw, 0.05));
