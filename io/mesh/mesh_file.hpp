@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -19,9 +20,15 @@ struct FieldText {
   friend bool operator==(const FieldText&, const FieldText&) = default;
 };
 
+// Names of regions and lines that are not those of io/mesh/group_name.hpp: what other programs call them.
+struct GroupNames {
+  std::map<std::int32_t, std::string> regions, lines;
+};
+
 struct MeshWriteOptions {
   // Where the format has a place for them.
   std::vector<FieldText> fields = {};
+  GroupNames names = {};
   // One value for each face slot; empty: not written. Formats without cell data leave them out.
   std::span<const double> scaled_jacobian = {};
   // zlib, where the format knows it. The bytes do not depend on the number of threads.

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "engine/base/error.hpp"
+#include "io/mesh/inp_format.hpp"
 #include "io/mesh/msh_format.hpp"
 #include "io/mesh/obj_format.hpp"
 #include "io/mesh/vtu_reader.hpp"
@@ -19,12 +20,12 @@ namespace {
 struct MeshFormat {
   std::string_view extension;
   void (*write)(const std::string& path, const Mesh& mesh, const MeshWriteOptions& options);
-  Mesh (*read)(const std::string& path);
+  ReadCells (*read)(const std::string& path);
 };
 
-constexpr std::array kFormats = {MeshFormat{".vtu", write_vtu, read_vtu},
-                                 MeshFormat{".msh", write_msh, read_msh},
-                                 MeshFormat{".obj", write_obj, read_obj}};
+constexpr std::array kFormats = {
+    MeshFormat{".vtu", write_vtu, read_vtu}, MeshFormat{".msh", write_msh, read_msh},
+    MeshFormat{".obj", write_obj, read_obj}, MeshFormat{".inp", write_inp, read_inp}};
 
 const MeshFormat& format_of(const std::string& path) {
   std::string extension = std::filesystem::path(path).extension().string();
@@ -45,7 +46,9 @@ void write_mesh(const std::string& path, const Mesh& mesh, const MeshWriteOption
   format_of(path).write(path, mesh, options);
 }
 
-Mesh read_mesh(const std::string& path) { return format_of(path).read(path); }
+ReadCells read_cells(const std::string& path) { return format_of(path).read(path); }
+
+Mesh read_mesh(const std::string& path) { return make_mesh(path, read_cells(path)); }
 
 void check_mesh_extension(const std::string& path) { static_cast<void>(format_of(path)); }
 

@@ -4,18 +4,23 @@
 #include <string>
 
 #include "io/mesh/mesh_file.hpp"
+#include "io/mesh/read_cells.hpp"
 
 namespace quarry {
 
-// Writes the format that the extension names: .vtu, .msh or .obj, in either case of letters. A file appears
-// whole or not at all. Throws Error(kUsage) for another extension, Error(kOutput) where nothing can be
-// written.
+// Writes the format that the extension names: .vtu, .msh, .obj or .inp, in either case of letters. A file
+// appears whole or not at all. Throws Error(kUsage) for another extension, Error(kOutput) where nothing can
+// be written.
 void write_mesh(const std::string& path, const Mesh& mesh, const MeshWriteOptions& options);
 
-// Reads .vtu, .msh and .obj into a mesh with the tags region (faces), constraint and kind (edges). Throws
+// Reads the same formats into a mesh with the tags region (faces), constraint and kind (edges). Throws
 // Error(kUsage) for another extension, Error(kInput) with the place for a file that cannot be read or is
 // broken.
 [[nodiscard]] Mesh read_mesh(const std::string& path);
+
+// The same before a mesh is made of it (io/mesh/read_cells.hpp): for who must look at it first, or needs the
+// names of its groups.
+[[nodiscard]] ReadCells read_cells(const std::string& path);
 
 // Throws Error(kUsage) unless write_mesh knows the extension: for a check before a long job.
 void check_mesh_extension(const std::string& path);

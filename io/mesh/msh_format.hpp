@@ -7,16 +7,17 @@
 
 #include <string>
 
-#include "io/mesh/mesh_file.hpp"
+#include "io/mesh/read_cells.hpp"
 
 namespace quarry {
 
 // Throws Error(kOutput).
 void write_msh(const std::string& path, const Mesh& mesh, const MeshWriteOptions& options);
 
-// Points, lines, triangles and quads of first order; a face's region is the number in the name of its
-// physical group, else groups (or surfaces without a group) count in order of appearance, and lines likewise.
-// Throws Error(kInput) with file and line.
-[[nodiscard]] Mesh read_msh(const std::string& path);
+// Points, lines, triangles and quads of first order. A face's region is the number in the name of its
+// physical group, or the tag of a group without a name; groups of other names, and surfaces without a group,
+// count in order of appearance over the numbers that are left. Lines likewise; a line in several groups is
+// read once for each. Throws Error(kInput) with file and line.
+[[nodiscard]] ReadCells read_msh(const std::string& path);
 
 }  // namespace quarry

@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <limits>
 #include <map>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -54,6 +56,8 @@ class MshReader {
     }
     if (!seen_format_)
       throw Error(ErrorKind::kInput, fmt::format("{}: no $MeshFormat: this is no Gmsh mesh", path_));
+    regions_.settle(cells_.regions, cells_.names.regions);
+    lines_.settle(cells_.constraints, cells_.names.lines);
     return std::move(cells_);
   }
 
@@ -149,16 +153,19 @@ class MshReader {
     return point_of_tag_[static_cast<std::size_t>(tag)];
   }
 
-  void read_cell(int type, std::int32_t number) {
+  // numbers: of its groups, at least one; a face is in the first of them.
+  void read_cell(int type, std::span<const std::int32_t> numbers) {
     FaceCorners corners;
     const int count = corner_count_of(type);
     for (int k = 0; k < count; ++k) corners[static_cast<std::size_t>(k)] = read_corner();
     if (count >= 3) {
       cells_.faces.push_back(corners);
-      cells_.regions.push_back(number);
+      cells_.regions.push_back(numbers.front());
     } else if (count == 2) {
-      cells_.edges.emplace_back(corners[0], corners[1]);
-      cells_.constraints.push_back(number);
+      for (const std::int32_t number : numbers) {
+        cells_.edges.emplace_back(corners[0], corners[1]);
+        cells_.constraints.push_back(number);
+      }
     }
   }
 
@@ -172,19 +179,24 @@ class MshReader {
 
   // The region or line number that a group stands for.
   std::int32_t number_of_group(int dimension, std::int64_t tag) {
-    const auto name = names_.find({dimension, tag});
     GroupNumbers& numbers = dimension == 1 ? lines_ : regions_;
-    return numbers.number(name != names_.end() ? name->second : fmt::format("#{}", tag));
+    if (const auto name = names_.find({dimension, tag}); name != names_.end())
+      return numbers.number(name->second);
+    if (tag >= 0 && tag <= std::numeric_limits<std::int32_t>::max()) return static_cast<std::int32_t>(tag);
+    return numbers.number_of_nameless(fmt::format("#{}", tag));
   }
 
-  std::int32_t number_of_entity(int dimension, std::int64_t tag) {
+  // Those of the groups of an entity; the outer boundary is no line of its own where there are others.
+  std::vector<std::int32_t> numbers_of_entity(int dimension, std::int64_t tag) {
     const auto entity = groups_of_entity_.find({dimension, tag});
-    if (entity == groups_of_entity_.end() || entity->second.empty())
-      return dimension == 1 ? -1 : regions_.number(fmt::format("surface {}", tag));
-    std::int32_t number = -1;
-    for (const std::int64_t group : entity->second)
-      number = std::max(number, number_of_group(dimension, group));
-    return number;
+    std::vector<std::int32_t> numbers;
+    if (entity != groups_of_entity_.end())
+      for (const std::int64_t group : entity->second) numbers.push_back(number_of_group(dimension, group));
+    if (std::any_of(numbers.begin(), numbers.end(), [](std::int32_t n) { return n != -1; }))
+      std::erase(numbers, -1);
+    if (numbers.empty())
+      numbers.push_back(dimension == 2 ? regions_.number_of_nameless(fmt::format("surface {}", tag)) : -1);
+    return numbers;
   }
 
   void read_elements() {
@@ -195,10 +207,10 @@ class MshReader {
       const auto entity = cursor_.number<std::int64_t>("a tag");
       const int type = cursor_.number<int>("an element type");
       check_type(type);
-      const std::int32_t number = dimension == 1 || dimension == 2 ? number_of_entity(dimension, entity) : -1;
+      const std::vector<std::int32_t> numbers = numbers_of_entity(dimension, entity);
       for (auto left = cursor_.number<std::int64_t>("a number of elements"); left > 0; --left) {
         cursor_.number<std::int64_t>("an element tag");
-        read_cell(type, number);
+        read_cell(type, numbers);
       }
     }
   }
@@ -215,7 +227,8 @@ class MshReader {
         if (k == 0) group = tag;
       }
       const int dimension = corner_count_of(type) > 2 ? 2 : 1;
-      read_cell(type, dimension == 1 && group == 0 ? -1 : number_of_group(dimension, group));
+      const std::int32_t number = dimension == 1 && group == 0 ? -1 : number_of_group(dimension, group);
+      read_cell(type, {&number, 1});
     }
   }
 
@@ -233,10 +246,9 @@ class MshReader {
 
 }  // namespace
 
-Mesh read_msh(const std::string& path) {
+ReadCells read_msh(const std::string& path) {
   const MappedFile file(path);
-  ReadCells cells = MshReader(path, file.text()).read();
-  return make_mesh(path, std::move(cells));
+  return MshReader(path, file.text()).read();
 }
 
 }  // namespace quarry

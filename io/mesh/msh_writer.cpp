@@ -24,14 +24,15 @@ class MshWriter {
       if (lines_.empty() || lines_.back() != group.constraint) lines_.push_back(group.constraint);
   }
 
-  void write(const std::vector<FieldText>& fields) {
+  void write(const MeshWriteOptions& options) {
     file_.write("$MeshFormat\n4.1 0 8\n$EndMeshFormat\n");
-    if (!fields.empty()) {
+    if (!options.fields.empty()) {
       file_.write("$Comments\n");
-      for (const FieldText& field : fields) file_.write(fmt::format("{}: {}\n", field.name, field.text));
+      for (const FieldText& field : options.fields)
+        file_.write(fmt::format("{}: {}\n", field.name, field.text));
       file_.write("$EndComments\n");
     }
-    write_names();
+    write_names(options.names);
     write_entities();
     write_nodes();
     write_elements();
@@ -42,13 +43,13 @@ class MshWriter {
   // Physical tags: of curves, 1 is the outer boundary and a line has its index among lines_ + 2; of surfaces,
   // the index among regions_ + 1. Entity tags are the index of the group + 1 for curves, and as physical for
   // surfaces.
-  void write_names() {
+  void write_names(const GroupNames& names) {
     file_.write(fmt::format("$PhysicalNames\n{}\n1 1 \"{}\"\n", 1 + lines_.size() + regions_.size(),
                             kOuterBoundaryName));
     for (std::size_t i = 0; i < lines_.size(); ++i)
-      file_.write(fmt::format("1 {} \"{}\"\n", i + 2, line_name(lines_[i])));
+      file_.write(fmt::format("1 {} \"{}\"\n", i + 2, line_name(lines_[i], names)));
     for (std::size_t i = 0; i < regions_.size(); ++i)
-      file_.write(fmt::format("2 {} \"{}\"\n", i + 1, region_name(regions_[i])));
+      file_.write(fmt::format("2 {} \"{}\"\n", i + 1, region_name(regions_[i], names)));
     file_.write("$EndPhysicalNames\n");
   }
 
@@ -141,7 +142,7 @@ class MshWriter {
 }  // namespace
 
 void write_msh(const std::string& path, const Mesh& mesh, const MeshWriteOptions& options) {
-  MshWriter(path, mesh).write(options.fields);
+  MshWriter(path, mesh).write(options);
 }
 
 }  // namespace quarry

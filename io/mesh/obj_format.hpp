@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "io/mesh/mesh_file.hpp"
+#include "io/mesh/read_cells.hpp"
 
 namespace quarry {
 
@@ -13,6 +13,6 @@ void write_obj(const std::string& path, const Mesh& mesh, const MeshWriteOptions
 
 // Faces as "a", "a/b", "a//c" or "a/b/c", numbers from the end of the list as negative ones. Throws
 // Error(kInput) with file and line.
-[[nodiscard]] Mesh read_obj(const std::string& path);
+[[nodiscard]] ReadCells read_obj(const std::string& path);
 
 }  // namespace quarry

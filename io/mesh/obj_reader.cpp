@@ -22,6 +22,8 @@ class ObjReader {
       if (key == "g" || key == "o") read_group();
       cursor_.line();
     }
+    regions_.settle(cells_.regions, cells_.names.regions);
+    lines_.settle(cells_.constraints, cells_.names.lines);
     return std::move(cells_);
   }
 
@@ -86,10 +88,9 @@ class ObjReader {
 
 }  // namespace
 
-Mesh read_obj(const std::string& path) {
+ReadCells read_obj(const std::string& path) {
   const MappedFile file(path);
-  ReadCells cells = ObjReader(path, file.text()).read();
-  return make_mesh(path, std::move(cells));
+  return ObjReader(path, file.text()).read();
 }
 
 }  // namespace quarry

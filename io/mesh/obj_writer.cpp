@@ -8,10 +8,10 @@
 namespace quarry {
 namespace {
 
-std::string group_line(const EdgeGroup& group) {
-  if (group.kind != kOuterBoundary) return fmt::format("g {}\n", line_name(group.constraint));
+std::string group_line(const EdgeGroup& group, const GroupNames& names) {
+  if (group.kind != kOuterBoundary) return fmt::format("g {}\n", word_of(line_name(group.constraint, names)));
   if (group.constraint < 0) return fmt::format("g {}\n", kOuterBoundaryName);
-  return fmt::format("g {} {}\n", line_name(group.constraint), kOuterBoundaryName);
+  return fmt::format("g {} {}\n", word_of(line_name(group.constraint, names)), kOuterBoundaryName);
 }
 
 }  // namespace
@@ -26,7 +26,7 @@ void write_obj(const std::string& path, const Mesh& mesh, const MeshWriteOptions
   });
   const GroupedEntities grouped = group_entities(mesh, numbering);
   for (const FaceGroup& group : grouped.face_groups) {
-    file.write(fmt::format("g {}\n", region_name(group.region)));
+    file.write(fmt::format("g {}\n", word_of(region_name(group.region, options.names))));
     write_lines(file, group.end - group.begin, [&](TextLine line, std::size_t i) {
       const FaceId f = grouped.faces[group.begin + i];
       line << "f";
@@ -35,7 +35,7 @@ void write_obj(const std::string& path, const Mesh& mesh, const MeshWriteOptions
     });
   }
   for (const EdgeGroup& group : grouped.edge_groups) {
-    file.write(group_line(group));
+    file.write(group_line(group, options.names));
     write_lines(file, group.end - group.begin, [&](TextLine line, std::size_t i) {
       const auto [a, b] = mesh.edge_ends(grouped.edges[group.begin + i]);
       line << "l " << numbering.number(a) + 1 << " " << numbering.number(b) + 1 << "\n";

@@ -7,6 +7,7 @@
 
 #include "engine/mesh/build.hpp"
 #include "engine/mesh/mesh.hpp"
+#include "io/mesh/mesh_file.hpp"
 
 namespace quarry {
 
@@ -17,6 +18,7 @@ struct ReadCells {
   std::vector<std::pair<VertexId, VertexId>> edges;
   std::vector<std::int32_t> constraints;  // one for each edge
   std::vector<std::int32_t> kinds;        // one for each edge; empty: found from the faces
+  GroupNames names;
 };
 
 // The mesh with the tags region, constraint and kind; planar if all z are 0. Edges that are no side of a face
@@ -24,5 +26,12 @@ struct ReadCells {
 // out. Throws Error(kInput) naming the path for coordinates that are not finite, and for what build_mesh
 // refuses.
 [[nodiscard]] Mesh make_mesh(const std::string& path, ReadCells cells);
+
+// Turns faces so that any two that share an edge pass it in opposite directions, and each connected part has
+// a positive area: what clockwise faces, or a part of them, need before a mesh can be made. Faces that are
+// bow-ties or folded over keep the direction that their neighbours tell. Edges of three faces or more are
+// passed over. Returns the number of faces turned. Throws Error(kInput) naming the path and the place where a
+// part has no two sides.
+std::size_t turn_counterclockwise(const std::string& path, ReadCells& cells);
 
 }  // namespace quarry

@@ -48,7 +48,8 @@ std::string_view TextCursor::line() {
 }
 
 void TextCursor::fail(const std::string& message) const {
-  const auto end = text_.begin() + static_cast<std::ptrdiff_t>(std::min(at_, text_.size()));
+  // A line that was taken whole is the one to name, not the one after its end.
+  const auto end = text_.begin() + static_cast<std::ptrdiff_t>(at_ == 0 ? 0 : at_ - 1);
   throw Error(ErrorKind::kInput,
               fmt::format("{}:{}: {}", path_, 1 + std::count(text_.begin(), end, '\n'), message));
 }

@@ -27,7 +27,7 @@ class TextLine {
   TextLine& operator<<(Number value) {
     std::array<char, 32> digits{};
     const auto result = std::to_chars(digits.data(), digits.data() + digits.size(), value);
-    text_.append(digits.data(), result.ptr);
+    text_.append(digits.data(), static_cast<std::size_t>(result.ptr - digits.data()));
     return *this;
   }
 

@@ -144,12 +144,11 @@ class VtuReader {
 
 }  // namespace
 
-Mesh read_vtu(const std::string& path) {
+ReadCells read_vtu(const std::string& path) {
   const MappedFile file(path);
   const XmlElement root = parse_xml(path, file.text(), "AppendedData");
   if (root.name != "VTKFile") throw Error(ErrorKind::kInput, fmt::format("{}: it is no VTK XML file", path));
-  ReadCells cells = VtuReader(path, root).read(root);
-  return make_mesh(path, std::move(cells));
+  return VtuReader(path, root).read(root);
 }
 
 }  // namespace quarry

@@ -4,13 +4,13 @@
 
 #include <string>
 
-#include "engine/mesh/mesh.hpp"
+#include "io/mesh/read_cells.hpp"
 
 namespace quarry {
 
 // Lines, polylines, triangles, quads, pixels and polygons of three or four corners; points as cells are
 // skipped. The cell data region, constraint and kind become tags; missing ones are found as MeshFileTags
 // says. Other data are not read. Throws Error(kInput) with the array or the cell.
-[[nodiscard]] Mesh read_vtu(const std::string& path);
+[[nodiscard]] ReadCells read_vtu(const std::string& path);
 
 }  // namespace quarry

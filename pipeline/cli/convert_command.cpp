@@ -1,5 +1,6 @@
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "engine/base/log.hpp"
 #include "io/mesh/mesh_format.hpp"
@@ -21,10 +22,13 @@ void run(const ConvertArguments& arguments) {
   check_mesh_extension(arguments.input);
   check_mesh_extension(arguments.output);
   check_outputs({arguments.output}, {arguments.input});
-  const Mesh mesh = read_mesh(arguments.input);
+  ReadCells cells = read_cells(arguments.input);
+  const GroupNames names = cells.names;
+  const Mesh mesh = make_mesh(arguments.input, std::move(cells));
   const std::vector<double> jacobians = scaled_jacobians(mesh);
   MeshWriteOptions options;
   options.fields = {{"quarry_version", QUARRY_VERSION}};
+  options.names = names;
   options.scaled_jacobian = jacobians;
   options.compress = arguments.compress;
   write_mesh(arguments.output, mesh, options);
@@ -36,10 +40,10 @@ void run(const ConvertArguments& arguments) {
 void add_convert_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand("convert", "a mesh file in another format");
   const auto arguments = std::make_shared<ConvertArguments>();
-  command->add_option("input", arguments->input, "the mesh to read: .vtu, .msh or .obj")
+  command->add_option("input", arguments->input, "the mesh to read: .vtu, .msh, .obj or .inp")
       ->required()
       ->type_name("IN");
-  command->add_option("output", arguments->output, "the mesh to write: .vtu, .msh or .obj")
+  command->add_option("output", arguments->output, "the mesh to write: .vtu, .msh, .obj or .inp")
       ->required()
       ->type_name("OUT");
   command->add_flag("--compress", arguments->compress, "zlib in a .vtu");

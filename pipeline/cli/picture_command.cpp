@@ -57,7 +57,7 @@ void run(const PictureArguments& arguments) {
 void add_picture_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand("picture", "draw a mesh, its lines on top");
   const auto arguments = std::make_shared<PictureArguments>();
-  command->add_option("mesh", arguments->input, "the mesh to draw: .vtu, .msh or .obj")
+  command->add_option("mesh", arguments->input, "the mesh to draw: .vtu, .msh, .obj or .inp")
       ->required()
       ->type_name("MESH");
   command->add_option("-o,--output", arguments->output, "the drawing: .svg or .png")->type_name("OUT");

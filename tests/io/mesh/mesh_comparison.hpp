@@ -19,7 +19,7 @@ struct ComparedMesh {
   std::vector<std::pair<std::int32_t, std::vector<ComparedPoint>>>
       faces;  // region; corners from the smallest on
   std::vector<std::tuple<std::int32_t, std::int32_t, ComparedPoint, ComparedPoint>>
-      edges;  // constraint, kind, ends
+      edges;  // constraint, kind, ends in order
 
   friend bool operator==(const ComparedMesh&, const ComparedMesh&) = default;
 };
@@ -41,8 +41,9 @@ inline ComparedMesh compared(const Mesh& mesh) {
   }
   for (const EdgeId e : mesh.edges()) {
     const auto [a, b] = mesh.edge_ends(e);
-    result.edges.emplace_back(tags.constraint(e), tags.kind(e), compared_point(mesh, a),
-                              compared_point(mesh, b));
+    const ComparedPoint p = compared_point(mesh, a);
+    const ComparedPoint q = compared_point(mesh, b);
+    result.edges.emplace_back(tags.constraint(e), tags.kind(e), std::min(p, q), std::max(p, q));
   }
   std::sort(result.faces.begin(), result.faces.end());
   std::sort(result.edges.begin(), result.edges.end());

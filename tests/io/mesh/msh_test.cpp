@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/base/error.hpp"
+#include "io/mesh/mesh_format.hpp"
 #include "io/mesh/msh_format.hpp"
 #include "tests/io/mesh/sample_mesh.hpp"
 #include "tests/io/mesh/temporary_folder.hpp"
@@ -44,7 +45,7 @@ TEST_F(Gmsh, OpensWhatIsWritten) {
       output_of("gmsh -format msh41 -o " + folder_.file("again.msh") + " -0 " + folder_.file("mesh.msh"));
   EXPECT_EQ(said.find("Error"), std::string::npos) << said;
   EXPECT_EQ(said.find("Warning"), std::string::npos) << said;
-  const Mesh again = read_msh(folder_.file("again.msh"));
+  const Mesh again = read_mesh(folder_.file("again.msh"));
   // Gmsh itself writes 16 digits, so that coordinates differ in the last bits: count what is in each group.
   EXPECT_EQ(faces_by_region(again), faces_by_region(mesh));
 }
@@ -59,7 +60,7 @@ TEST_F(Gmsh, WritesWhatCanBeRead) {
     const std::string path = folder_.file("square.msh");
     const std::string said =
         output_of(std::string("gmsh -2 -format ") + format + " -o " + path + " " + geometry);
-    const Mesh mesh = read_msh(path);
+    const Mesh mesh = read_mesh(path);
     EXPECT_GT(mesh.count_alive_faces(), 50U) << said;
     ASSERT_GT(mesh.edge_slots(), 5U);
     const MeshFileTags tags(mesh);
@@ -76,7 +77,7 @@ constexpr const char* kOldMesh =
 
 TEST(MshReader, ReadsTheOldFormat) {
   const TemporaryFolder folder;
-  const Mesh mesh = read_msh(folder.file("old.msh", kOldMesh));
+  const Mesh mesh = read_mesh(folder.file("old.msh", kOldMesh));
   const MeshFileTags tags(mesh);
   ASSERT_EQ(mesh.face_slots(), 1U);
   EXPECT_EQ(tags.region(FaceId(std::size_t{0})), 1);
@@ -85,12 +86,55 @@ TEST(MshReader, ReadsTheOldFormat) {
   EXPECT_EQ(tags.kind(EdgeId(std::size_t{0})), kOuterBoundary);
 }
 
+TEST(MshReader, KeepsTheNamesAndTagsOfGroups) {
+  const TemporaryFolder folder;
+  std::string text = kOldMesh;
+  text.replace(text.find("line_2"), 6, "main fault");
+  text.replace(text.find("1 1 2 5 1"), 9, "1 1 2 3 1");
+  const ReadCells cells = read_cells(folder.file("old.msh", text));
+  EXPECT_EQ(cells.constraints, (std::vector<std::int32_t>{3})) << "a group without a name keeps its tag";
+  EXPECT_TRUE(cells.names.lines.empty()) << "no line is in the named group";
+
+  text.replace(text.find("1 1 2 3 1"), 9, "1 1 2 5 1");
+  ReadCells named = read_cells(folder.file("old.msh", text));
+  EXPECT_EQ(named.constraints, (std::vector<std::int32_t>{0}));
+  EXPECT_EQ(named.names.lines.at(0), "main fault");
+  const GroupNames names = named.names;
+  const Mesh mesh = make_mesh("old.msh", std::move(named));
+  write_mesh(folder.file("new.msh"), mesh, {.names = names});
+  EXPECT_EQ(read_cells(folder.file("new.msh")).names.lines.at(0), "main fault");
+}
+
+TEST(MshReader, GivesNamesTheNumbersThatNoGroupOfOursHas) {
+  const TemporaryFolder folder;
+  std::string text = kOldMesh;
+  text.replace(text.find("3 3 2 6 1 10 20 30 40"), 21, "3 2 2 6 1 10 20 30\n4 2 2 7 1 10 30 40");
+  text.replace(text.find("$Elements\n3"), 11, "$Elements\n4");
+  text.replace(text.find("2\n1 5 \"line_2\"\n2 6 \"region_1\""), 30,
+               "2\n2 7 \"region_0\"\n2 6 \"sandstone\"");
+  const ReadCells cells = read_cells(folder.file("old.msh", text));
+  EXPECT_EQ(cells.regions, (std::vector<std::int32_t>{1, 0}));
+  EXPECT_EQ(cells.names.regions.at(1), "sandstone");
+}
+
+TEST(MshReader, ReadsALineOnceForEachOfItsGroups) {
+  const TemporaryFolder folder;
+  const ReadCells cells = read_cells(folder.file(
+      "new.msh",
+      "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$PhysicalNames\n3\n1 1 \"outer_boundary\"\n1 2 \"line_3\"\n"
+      "1 4 \"line_8\"\n$EndPhysicalNames\n$Entities\n0 1 1 0\n1 0 0 0 1 1 0 3 1 2 4 0\n"
+      "5 0 0 0 1 1 0 0 0\n$EndEntities\n$Nodes\n1 3 1 3\n2 5 0 3\n1\n2\n3\n0 0 0\n1 0 0\n0 1 0\n"
+      "$EndNodes\n$Elements\n2 2 1 2\n1 1 1 1\n1 1 2\n2 5 2 1\n2 1 2 3\n$EndElements\n"));
+  EXPECT_EQ(cells.constraints, (std::vector<std::int32_t>{3, 8}));
+  EXPECT_EQ(cells.regions, (std::vector<std::int32_t>{0}));
+}
+
 void expect_error(const std::string& from, const std::string& to, const std::string& message) {
   const TemporaryFolder folder;
   std::string text = kOldMesh;
   text.replace(text.find(from), from.size(), to);
   try {
-    static_cast<void>(read_msh(folder.file("old.msh", text)));
+    static_cast<void>(read_mesh(folder.file("old.msh", text)));
     FAIL() << "no error";
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::kInput);

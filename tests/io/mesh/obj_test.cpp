@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/base/error.hpp"
-#include "io/mesh/obj_format.hpp"
+#include "io/mesh/mesh_format.hpp"
 #include "tests/io/mesh/temporary_folder.hpp"
 
 namespace quarry {
@@ -10,10 +10,10 @@ namespace {
 TEST(ObjReader, ReadsAllFormsOfCorners) {
   const TemporaryFolder folder;
   const Mesh mesh =
-      read_obj(folder.file("a.obj",
-                           "# comment\nmtllib a.mtl\nv 0 0 0\nv 1 0 0 1.0\nv +1 1 0\nv 0 1 0\nv 2 0 0\n"
-                           "vt 0 0\nvn 0 0 1\ng rock layer\nf 1/1/1 2/1/1 3//1 4\ng region_8\n"
-                           "f -4/1 -1 -3\nl 1 2 5\n"));
+      read_mesh(folder.file("a.obj",
+                            "# comment\nmtllib a.mtl\nv 0 0 0\nv 1 0 0 1.0\nv +1 1 0\nv 0 1 0\nv 2 0 0\n"
+                            "vt 0 0\nvn 0 0 1\ng rock layer\nf 1/1/1 2/1/1 3//1 4\ng region_8\n"
+                            "f -4/1 -1 -3\nl 1 2 5\n"));
   ASSERT_EQ(mesh.face_slots(), 2U);
   EXPECT_EQ(mesh.corner_count(FaceId(std::size_t{0})), 4);
   EXPECT_EQ(mesh.corner(FaceId(std::size_t{1}), 0).value(), 1U);
@@ -28,7 +28,7 @@ TEST(ObjReader, ReadsAllFormsOfCorners) {
 
 TEST(ObjReader, ReadsPointsOfThePlane) {
   const TemporaryFolder folder;
-  const Mesh mesh = read_obj(folder.file("a.obj", "v 0 0\r\nv 1 0\r\nv 0 1\r\nf 1 2 3\r\n"));
+  const Mesh mesh = read_mesh(folder.file("a.obj", "v 0 0\r\nv 1 0\r\nv 0 1\r\nf 1 2 3\r\n"));
   EXPECT_TRUE(mesh.planar());
   EXPECT_EQ(mesh.face_slots(), 1U);
 }
@@ -36,7 +36,7 @@ TEST(ObjReader, ReadsPointsOfThePlane) {
 void expect_error(const std::string& text, const std::string& message) {
   const TemporaryFolder folder;
   try {
-    static_cast<void>(read_obj(folder.file("a.obj", text)));
+    static_cast<void>(read_mesh(folder.file("a.obj", text)));
     FAIL() << "no error";
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::kInput);

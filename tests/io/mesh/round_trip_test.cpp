@@ -123,7 +123,7 @@ TEST_P(MeshFormat, RefusesBrokenFilesWithAnError) {
 
 INSTANTIATE_TEST_SUITE_P(All, MeshFormat,
                          testing::Values(Case{".vtu", false}, Case{".vtu", true}, Case{".msh", false},
-                                         Case{".obj", false}),
+                                         Case{".obj", false}, Case{".inp", false}),
                          [](const auto& instance) {
                            return std::string(instance.param.extension + 1) +
                                   (instance.param.compress ? "Compressed" : "");
@@ -136,7 +136,7 @@ TEST(MeshFormats, AreNamedWhenAnExtensionIsNotKnown) {
       FAIL() << "no error";
     } catch (const Error& error) {
       EXPECT_EQ(error.kind(), ErrorKind::kUsage);
-      EXPECT_NE(error.message().find(".vtu, .msh, .obj"), std::string::npos);
+      EXPECT_NE(error.message().find(".vtu, .msh, .obj, .inp"), std::string::npos);
     }
   }
 }

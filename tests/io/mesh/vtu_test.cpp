@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/base/error.hpp"
-#include "io/mesh/vtu_reader.hpp"
+#include "io/mesh/mesh_format.hpp"
 #include "io/mesh/vtu_writer.hpp"
 #include "tests/io/mesh/mesh_comparison.hpp"
 #include "tests/io/mesh/sample_mesh.hpp"
@@ -31,7 +31,7 @@ class StoredVtu : public testing::TestWithParam<const char*> {};
 
 TEST_P(StoredVtu, IsReadHoweverItsArraysAreStored) {
   const std::string path = std::string("tests/io/mesh/data/") + GetParam() + ".vtu";
-  EXPECT_EQ(compared(read_vtu(path)), compared(tiny_mesh()));
+  EXPECT_EQ(compared(read_mesh(path)), compared(tiny_mesh()));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, StoredVtu,
@@ -66,7 +66,7 @@ TEST(VtuReader, NamesTheArrayThatIsMissing) {
   text.replace(text.find("connectivity"), 12, "conn");
   const std::string path = folder.file("broken.vtu", text);
   try {
-    static_cast<void>(read_vtu(path));
+    static_cast<void>(read_mesh(path));
     FAIL() << "no error";
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::kInput);
@@ -78,7 +78,7 @@ TEST(VtuReader, RefusesVolumeCells) {
   const TemporaryFolder folder;
   std::string text = file_content("tests/io/mesh/data/ascii.vtu");
   text.replace(text.find("9 5 5 3"), 7, "10 5 5 3");
-  EXPECT_THROW(static_cast<void>(read_vtu(folder.file("volume.vtu", text))), Error);
+  EXPECT_THROW(static_cast<void>(read_mesh(folder.file("volume.vtu", text))), Error);
 }
 
 TEST(VtuReader, RefusesCoordinatesThatAreNotFinite) {
@@ -86,7 +86,7 @@ TEST(VtuReader, RefusesCoordinatesThatAreNotFinite) {
   std::string text = file_content("tests/io/mesh/data/ascii.vtu");
   text.replace(text.find("1.5"), 3, "nan");
   try {
-    static_cast<void>(read_vtu(folder.file("nan.vtu", text)));
+    static_cast<void>(read_mesh(folder.file("nan.vtu", text)));
     FAIL() << "no error";
   } catch (const Error& error) {
     EXPECT_NE(error.message().find("point 4"), std::string::npos) << error.message();
