@@ -1,8 +1,10 @@
 #include "pipeline/cli/mesh_arguments.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
+#include <cctype>
 #include <fmt/format.h>
 
 #include "engine/base/error.hpp"
@@ -17,6 +19,16 @@ constexpr double kMostElements = 5e8;
 // A check that says nothing in the help text, where the type already tells the values.
 CLI::Validator one_of(std::vector<std::string> values) {
   return CLI::IsMember(std::move(values)).description("");
+}
+
+// The parser alone takes "-1" for the largest unsigned number.
+CLI::Validator whole_number() {
+  const auto check = [](const std::string& text) -> std::string {
+    const bool digits = !text.empty() && std::all_of(text.begin(), text.end(),
+                                                     [](unsigned char c) { return std::isdigit(c) != 0; });
+    return digits ? "" : fmt::format("{} is no whole number of 0 or more", text);
+  };
+  return {check, ""};
 }
 
 void add_shape_options(CLI::App& command, MeshArguments& arguments) {
@@ -57,7 +69,7 @@ void add_shape_options(CLI::App& command, MeshArguments& arguments) {
 
 void add_output_options(CLI::App& command, MeshArguments& arguments) {
   const char* group = "Output";
-  command.add_option("-o,--output", arguments.output, "the mesh to write: .vtu, .msh or .obj")
+  command.add_option("-o,--output", arguments.output, "the mesh to write: .vtu, .msh, .obj or .inp")
       ->type_name("OUT")
       ->group(group);
   command
@@ -148,6 +160,7 @@ void add_mesh_options(CLI::App& command, MeshArguments& arguments) {
       ->group("Running");
   command
       .add_option("--seed", arguments.section.seed, "of what is drawn by lot; part of the result; default 0")
+      ->check(whole_number())
       ->type_name("S")
       ->group("Running");
   add_common_options(command, arguments.common);

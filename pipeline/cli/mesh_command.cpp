@@ -23,6 +23,10 @@
 namespace quarry::cli {
 namespace {
 
+// Jobs from here on take long enough that one may want to stop them at what they are predicted to need; what
+// a smaller one was predicted to need is told with its summary, so that a failure is one line.
+constexpr double kLongJob = 1e6;
+
 // A count with three digits that mean something: "15900", "1.59 million".
 std::string rounded(double count) {
   if (count >= 1e6) return fmt::format("{:.3g} million", count / 1e6);
@@ -34,6 +38,7 @@ void check(MeshArguments& arguments) {
   fill_section(arguments);
   check_mesh_extension(arguments.output);
   if (!arguments.picture.empty()) check_picture_extension(arguments.picture);
+  if (!arguments.section.start_file.empty()) check_mesh_extension(arguments.section.start_file);
   std::vector<std::string> inputs = arguments.section.inputs;
   inputs.insert(inputs.end(), {arguments.section.boundary, arguments.section.start_file});
   check_outputs({arguments.output, arguments.report, arguments.picture}, inputs);
@@ -83,10 +88,13 @@ void run(MeshArguments& arguments) {
   const std::vector<Demand> demands = parse_demands(arguments.require);
   ProgressBar bar(!arguments.common.quiet);
   const Progress progress = bar.progress();
-  arguments.section.on_prediction = [&bar](double elements, double bytes) {
+  std::string prediction;
+  arguments.section.on_prediction = [&](double elements, double bytes) {
+    prediction = fmt::format("about {} elements and at most {:.0f} MB of memory are to be expected",
+                             rounded(elements), bytes / 1e6);
+    if (elements < kLongJob) return;
     bar.clear();
-    log::info("about {} elements and at most {:.0f} MB of memory are to be expected", rounded(elements),
-              bytes / 1e6);
+    log::info("{}", std::exchange(prediction, ""));
   };
   const std::string hash = hash_inputs(arguments.section);
   SectionResult result = mesh_section(arguments.section, progress);
@@ -108,6 +116,7 @@ void run(MeshArguments& arguments) {
   result.times.insert(result.times.end(), clock.times().begin(), clock.times().end());
   write_job_report(arguments, result, hash, quality);
   bar.clear();
+  if (!prediction.empty()) log::info("{}", prediction);
   tell_lines(result);
   tell_quality(quality);
   tell_effort(result, arguments.common.resolved_threads());

@@ -36,28 +36,32 @@ void tell_lines(const SectionResult& result) {
   for (const std::string& note : result.cleaned.notes) log::warn("{}", note);
 }
 
-void tell_quality(const QualitySummary& quality) {
+void tell_quality(const QualitySummary& quality, const char* when) {
   const ShapeSummary& q = quality.all;
-  log::info("mesh: {} quads, {} triangles, {} vertices, {} line edges", quality.quads.faces,
+  log::info("{}mesh: {} quads, {} triangles, {} vertices, {} line edges", when, quality.quads.faces,
             quality.triangles.faces, quality.vertices, quality.edges);
   log::info(
-      "quality: scaled Jacobian min {:.3f}, mean {:.4f}, {:.3f}% below 0.2; smallest angle {:.2f} degrees, "
+      "{}quality: scaled Jacobian min {:.3f}, mean {:.4f}, {:.3f}% below 0.2; smallest angle {:.2f} degrees, "
       "{:.1f}% "
       "in 80 to 90; longest by shortest edge at most {:.2f}; {:.2f}% of inner vertices irregular",
-      q.scaled_jacobian.min, q.scaled_jacobian.mean, 100 * q.share(q.scaled_jacobian_below_0p2),
+      when, q.scaled_jacobian.min, q.scaled_jacobian.mean, 100 * q.share(q.scaled_jacobian_below_0p2),
       q.min_angle.min, 100 * q.share(q.min_angle_histogram.back()), q.aspect.max,
       100 * quality.valence.irregular_share());
 }
 
-void tell_effort(const SectionResult& result, int threads) {
+void tell_times(const std::vector<StageTime>& times, int threads) {
   double total = 0;
-  for (const StageTime& stage : result.times) {
+  for (const StageTime& stage : times) {
     log::detail("{:12} {:10.1f} ms", stage.name, 1e3 * stage.seconds);
     total += stage.seconds;
   }
-  if (result.mesh.face_slots() > 0) tell_insertion(result);
   log::info("{:.2f} s on {} thread{}, peak memory {:.0f} MB", total, threads, threads == 1 ? "" : "s",
             static_cast<double>(peak_memory_bytes()) / 1e6);
+}
+
+void tell_effort(const SectionResult& result, int threads) {
+  if (result.mesh.face_slots() > 0) tell_insertion(result);
+  tell_times(result.times, threads);
 }
 
 }  // namespace quarry::cli

@@ -1,6 +1,8 @@
 // What people are told at the end of a job: a few lines on the standard error stream.
 #pragma once
 
+#include <vector>
+
 #include "kernels/quality/summary.hpp"
 #include "pipeline/section/section.hpp"
 
@@ -10,10 +12,13 @@ namespace quarry::cli {
 // known.
 void tell_lines(const SectionResult& result);
 
-// Counts and quality.
-void tell_quality(const QualitySummary& quality);
+// Counts and quality; when: what stands before each line.
+void tell_quality(const QualitySummary& quality, const char* when = "");
 
-// Times and peak memory. With -v, every stage and the counts of insertion.
+// The sum of the times, and peak memory. With -v, every stage.
+void tell_times(const std::vector<StageTime>& times, int threads);
+
+// The same of a section job; with -v, the counts of insertion as well.
 void tell_effort(const SectionResult& result, int threads);
 
 }  // namespace quarry::cli

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "engine/base/error.hpp"
 
@@ -45,8 +46,8 @@ double predict_bytes(double elements) { return kBytesOfAnyJob + kBytesPerElement
 ResolvedLengths resolve_lengths(const SectionOptions& options, const Box2& box, double area) {
   if (box.longer_side() < kSmallestDomain)
     throw Error(ErrorKind::kInput,
-                fmt::format("the domain is {:.3g} wide: lengths so small underflow; use another unit",
-                            box.longer_side()));
+                fmt::format("{}: the domain is {:.3g} wide: lengths so small underflow; use another unit",
+                            fmt::join(options.inputs, ", "), box.longer_side()));
   if (options.size.has_value() == options.count.has_value())
     throw Error(ErrorKind::kUsage, "give either --size or --count");
   ResolvedLengths lengths;

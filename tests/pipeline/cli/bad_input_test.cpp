@@ -94,6 +94,33 @@ TEST_F(BadInput, LinesThatAreAllOnePointAreTold) {
   expect_refused_text(3, collection(feature("LineString", "[[3, 4], [3, 4]]")), {"in.geojson", "(3, 4)"});
 }
 
+TEST_F(BadInput, ALineOfOnePointTwiceIsToldWithItsFeature) {
+  const std::string point = collection(feature("LineString", "[[3, 4], [3, 4]]"));
+  for (const std::string boundary : {"box", "hull"})
+    expect_refused(3, {folder_.write("in.geojson", point), "--size", "1", "--boundary", boundary},
+                   {"in.geojson: feature 0: line 0: ", "(3, 4)"});
+}
+
+TEST_F(BadInput, AnEmptyLineIsToldWithItsFeature) {
+  for (const std::string boundary : {"box", "hull"})
+    expect_refused(3,
+                   {folder_.write("in.geojson", collection(feature("LineString", "[]"))), "--size", "1",
+                    "--boundary", boundary},
+                   {"in.geojson: feature 0: line 0: "});
+}
+
+TEST_F(BadInput, AFlatPolygonIsToldWithItsFeature) {
+  const std::string flat = collection(feature("Polygon", "[[[2, 2], [6, 2], [10, 2], [2, 2]]]"));
+  expect_refused_text(3, flat, {"in.geojson: feature 0: line 0: ", "(2, 2)", "no area"});
+  const std::string area = folder_.write("area.geojson", flat);
+  expect_refused(3, {folder_.write("in.geojson", collection(kGoodLine)), "--size", "1", "--boundary", area},
+                 {"area.geojson: feature 0: line 0: ", "(2, 2)", "no area"});
+}
+
+TEST_F(BadInput, ADomainTooSmallForItsLengthsIsToldWithItsFile) {
+  expect_refused_text(3, collection(feature("LineString", "[[0, 0], [1e-80, 1e-80]]")), {"in.geojson: "});
+}
+
 TEST_F(BadInput, AFileThatIsNotThereIsTold) {
   expect_refused(3, {folder_ / "none.geojson", "--size", "1"}, {"none.geojson"});
 }
@@ -134,6 +161,16 @@ TEST_F(BadInput, ABoundaryFileThatIsNotThereIsTold) {
 
 TEST_F(BadInput, AStartMeshThatCannotBeReadIsTold) {
   expect_refused(3, {kDemoSection, "--size", "20", "--start", folder_ / "none.msh", "--quiet"}, {"none.msh"});
+}
+
+TEST_F(BadInput, AStartMeshOfAnUnknownFormatIsToldBeforeTheWork) {
+  const std::string start = folder_.write("start.stl", "solid");
+  expect_refused(2, {kDemoSection, "--size", "20", "--start", start}, {"start.stl", ".vtu"});
+}
+
+TEST_F(BadInput, AStartMeshWithoutATriangleIsTold) {
+  const std::string start = folder_.write("start.obj", "v 0 0\nv 1 0\nv 0 1\n");
+  expect_refused(3, {kDemoSection, "--size", "20", "--start", start}, {"start.obj", "no triangle"});
 }
 
 TEST_F(BadInput, ASizeOfZeroIsTold) { expect_refused(2, {kDemoSection, "--size", "0"}, {"--size"}); }

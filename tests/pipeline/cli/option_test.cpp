@@ -52,6 +52,8 @@ TEST(CommandLine, MistakesAreToldInOneLine) {
                      "--max-elements");
   expect_usage_error({"mesh", kDemoSection, "-o", "out.vtu", "--size", "5", "--max-elements", "1e10"},
                      "--max-elements");
+  for (const std::string seed : {"-1", "1.5", "x"})
+    expect_usage_error({"mesh", kDemoSection, "-o", "out.vtu", "--size", "5", "--seed", seed}, "--seed");
   expect_usage_error({"clean", kDemoSection, "-o", "out.geojson"}, "--snap");
 }
 
@@ -114,6 +116,7 @@ TEST(ConfigFile, NamesWhatItCannotUse) {
   expect_refused("size = 20\nsise = 3\n", "sise");
   expect_refused("size = \"wide\"\n", "size");
   expect_refused("size = 2020-01-01\n", "size");
+  expect_refused("seed = -1\nsize = 20\n", "seed");
   expect_refused("config = \"other.toml\"\n", "config");
   const CommandResult broken = run_quarry({"mesh", kDemoSection, "-o", folder / "out.vtu", "--config",
                                            folder.write("broken.toml", "size = = 3\n")});
@@ -127,9 +130,8 @@ TEST(ConfigFile, NamesWhatItCannotUse) {
 TEST(Demands, AMeshThatFailsOneIsNotWritten) {
   const TestFolder folder;
   const std::string output = folder.write("out.vtu", "what was there before");
-  const CommandResult result =
-      run_quarry({"mesh", kDemoSection, "-o", output, "--size", "20", "--quiet", "--require",
-                  "mean-sj=0.1,min-sj=0.999", "--report", folder / "r.json"});
+  const CommandResult result = run_quarry({"mesh", kDemoSection, "-o", output, "--size", "20", "--require",
+                                           "mean-sj=0.1,min-sj=0.999", "--report", folder / "r.json"});
   EXPECT_EQ(result.exit_code, 6);
   EXPECT_EQ(result.error_lines(), 1U) << result.err;
   EXPECT_NE(result.err.find("min-sj=0.999"), std::string::npos) << result.err;

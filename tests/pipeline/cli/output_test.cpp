@@ -90,6 +90,16 @@ TEST(Outputs, PicturesAreDrawnBesideTheMeshAndFromIt) {
       "b.pdf");
 }
 
+TEST(Outputs, AWindowBesideTheMeshIsToldWithTheBoxOfTheMesh) {
+  const TestFolder folder;
+  const std::string mesh = folder.write("a.obj", "v 1 2\nv 3 2\nv 3 5\nv 1 5\nf 1 2 3 4\n");
+  ASSERT_EQ(run_quarry({"picture", mesh, "-o", folder / "a.svg", "--window", "2", "3", "9", "9"}).exit_code,
+            0);
+  for (const std::string word : {"(30, 30)", "(1, 2) to (3, 5)"})
+    expect_failure({"picture", mesh, "-o", folder / "b.svg", "--window", "30", "30", "40", "40"}, 2, word);
+  EXPECT_EQ(folder.names(), (std::vector<std::string>{"a.obj", "a.svg"}));
+}
+
 TEST(Outputs, CompressionKeepsTheMesh) {
   const TestFolder folder;
   ASSERT_EQ(run_quarry({"mesh", kDemoSection, "-o", folder / "raw.vtu", "--size", "10"}).exit_code, 0);
