@@ -65,7 +65,7 @@ class ShapeStar {
   // The energy with its derivatives where the vertex is. With an infinite value they mean nothing.
   [[nodiscard]] Quadratic expand(double eps) const;
   // True if with the vertex at the offset no face has a corner (of those that change) with a sine below the
-  // floor, or edges of a ratio above the limit, that is worse than now.
+  // floor and smaller than now, or edges of a ratio above the limit and more unequal than now.
   [[nodiscard]] bool keeps(Vec2 offset, double floor, double largest_edge_ratio) const;
 
  private:

@@ -14,20 +14,18 @@ double signed_square(double area, double lengths) {
   return lengths > 0 ? area * std::abs(area) / lengths : -1.0;
 }
 
-// The aspect guard, see Star. Four edges s, s, 4s, 4s have r = 0.2215, and s, s, 7s, 7s 0.0784; no four edges
-// within these ratios have less.
-double aspect_factor(const StarFace& face, double oo, double bb) {
-  constexpr double kMild = 0.2215;
-  constexpr double kSteep = 0.0784;
+// What the aspect of a quad adds to 1 / sine^2, see Star. Four edges s, s, 4.9s, 4.9s have r = 0.16; no four
+// edges within that ratio have less.
+double aspect_cost(const StarFace& face, double oo, double bb) {
+  constexpr double kFree = 0.16;
+  constexpr double kFreeRatio = 4.9;
   const auto [shortest, longest] = std::minmax({face.far_next_squared, face.far_previous_squared, oo, bb});
-  if (16 * shortest >= longest) return 1.0;
+  if (kFreeRatio * kFreeRatio * shortest >= longest) return 0.0;
   const double far_sum = face.far_next_squared + face.far_previous_squared;
   const double far_product = face.far_next_squared * face.far_previous_squared;
   const double inverses = (oo + bb) / (oo * bb) + far_sum / far_product;
-  const double r = 16.0 / (inverses * (oo + bb + far_sum));
-  const double mild = std::min(1.0, r / kMild);
-  const double steep = std::min(1.0, r / kSteep);
-  return mild * steep * steep * steep;
+  const double ratio = kFree * inverses * (oo + bb + far_sum) / 16.0;
+  return std::max(0.0, ratio * ratio * ratio - 1);
 }
 
 double measure_quad(const StarFace& face, Vec2 out, Vec2 back) {
@@ -37,8 +35,7 @@ double measure_quad(const StarFace& face, Vec2 out, Vec2 back) {
   worst = std::min(worst, signed_square(cross(out, face.far_next), oo * face.far_next_squared));
   worst =
       std::min(worst, signed_square(cross(face.far_previous, -1.0 * back), bb * face.far_previous_squared));
-  // A small factor must not lift a negative value.
-  return worst > 0 ? worst * aspect_factor(face, oo, bb) : worst;
+  return worst > 0 ? worst / (1 + worst * aspect_cost(face, oo, bb)) : worst;
 }
 
 // 4 sqrt(3) A = 2 sqrt(3) times the cross product; its square is 12 times.

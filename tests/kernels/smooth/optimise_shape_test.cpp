@@ -1,0 +1,168 @@
+#include "kernels/smooth/optimise_shape.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "engine/geometry/segment.hpp"
+#include "engine/mesh/validate.hpp"
+#include "engine/parallel/parallel.hpp"
+#include "kernels/quality/face.hpp"
+#include "tests/kernels/smooth/quads_with_lines.hpp"
+
+namespace quarry {
+namespace {
+
+using test::make_quads;
+using test::QuadsWithLines;
+
+struct Jacobians {
+  double smallest = 1, mean = 0;
+
+  explicit Jacobians(const Mesh& mesh) {
+    for (const FaceId f : mesh.faces()) {
+      const double value = scaled_jacobian(mesh, f);
+      smallest = std::min(smallest, value);
+      mean += value / static_cast<double>(mesh.face_slots());
+    }
+  }
+};
+
+class ShapeOf : public testing::TestWithParam<std::uint64_t> {
+ protected:
+  ShapeOf() : quads_(make_quads({.seed = GetParam(), .slivers = GetParam() % 3 == 0 ? 0.02 : 0})) {}
+  QuadsWithLines quads_;
+};
+
+TEST_P(ShapeOf, QuadsImprovesInTheMeanAndFallsBelowTheFloorNowhere) {
+  const Jacobians before(quads_.mesh);
+  const ShapeOptions options;
+  optimise_shape(quads_.mesh, quads_.lines, options, Progress());
+  const Jacobians after(quads_.mesh);
+  EXPECT_EQ(validate(quads_.mesh, GeometryCheck::kPlanarCorners), "");
+  EXPECT_GT(after.mean, before.mean);
+  // A hair for the rounding of two ways to the same number.
+  EXPECT_GE(after.smallest, std::min(before.smallest, options.floor) - 1e-12);
+}
+
+TEST_P(ShapeOf, QuadsKeepsTheBitsOfFrozenVerticesAndSlidersOnTheirPieces) {
+  const ConstraintTags tags = ConstraintTags::of(quads_.mesh);
+  const std::vector<double> x = quads_.mesh.xs();
+  const std::vector<double> y = quads_.mesh.ys();
+  optimise_shape(quads_.mesh, quads_.lines, {}, Progress());
+  const double ulp = std::numeric_limits<double>::epsilon() * 6.8e6;
+  std::size_t slid = 0;
+  for (const VertexId v : quads_.mesh.vertices()) {
+    const Vec2 before{x[v.value()], y[v.value()]};
+    if (tags.support[v].is_fixed()) {
+      EXPECT_EQ(quads_.mesh.point(v), before);
+    }
+    if (!tags.support[v].slides()) continue;
+    slid += quads_.mesh.point(v) == before ? 0 : 1;
+    const Piece& piece = quads_.lines.pieces[tags.support[v].piece()];
+    EXPECT_LE(
+        squared_distance(quads_.mesh.point(v), quads_.lines.nodes[piece.from], quads_.lines.nodes[piece.to]),
+        ulp * ulp);
+  }
+  EXPECT_GT(slid, 0U);
+}
+
+TEST_P(ShapeOf, TrianglesImprovesInTheMean) {
+  test::SyntheticMesh made = test::make_synthetic({.seed = GetParam()});
+  const Jacobians before(made.mesh);
+  optimise_shape(made.mesh, made.lines, {}, Progress());
+  EXPECT_EQ(validate(made.mesh, GeometryCheck::kPlanarCorners), "");
+  EXPECT_GT(Jacobians(made.mesh).mean, before.mean);
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, ShapeOf, testing::Range<std::uint64_t>(1, 13));
+
+TEST(OptimiseShape, GivesTheSameBitsOnAnyNumberOfThreads) {
+  std::vector<double> x, y;
+  for (const int threads : {1, 2, 4, 7}) {
+    parallel::with_threads(threads, [&] {
+      QuadsWithLines quads = make_quads({.columns = 60, .rows = 40, .seed = 3});
+      const parallel::ParticipationProbe probe;
+      const UniformSize size(1);
+      optimise_shape(quads.mesh, quads.lines, {.size = &size}, Progress());
+      optimise_shape(quads.mesh, quads.lines, {}, Progress());
+      if (threads == 1) {
+        x = quads.mesh.xs();
+        y = quads.mesh.ys();
+        return;
+      }
+      EXPECT_GT(probe.chunks_of_other_threads(), 0U);
+      EXPECT_EQ(quads.mesh.xs(), x);
+      EXPECT_EQ(quads.mesh.ys(), y);
+    });
+  }
+}
+
+TEST(OptimiseShape, LeavesARegularMeshAfterOneLook) {
+  QuadsWithLines quads = make_quads({.jitter = 0, .flip_share = 0, .straight_lines = 0, .crooked_lines = 0});
+  const SweepReport report = optimise_shape(quads.mesh, quads.lines, {}, Progress());
+  EXPECT_EQ(report.sweeps, 1U);
+  EXPECT_EQ(report.moved, 0U);
+}
+
+// A block of quads between straight sides; inner vertices are free, those of the rim fixed. place(i, j): of
+// the lattice point in the unit square, for i and j in [0, 1].
+template <class Place>
+Mesh fixed_block(std::uint32_t columns, std::uint32_t rows, const Place& place) {
+  std::vector<double> x, y;
+  std::vector<FaceCorners> faces;
+  const auto id = [&](std::uint32_t i, std::uint32_t j) { return VertexId(j * (columns + 1) + i); };
+  for (std::uint32_t j = 0; j <= rows; ++j)
+    for (std::uint32_t i = 0; i <= columns; ++i) {
+      const Vec2 p = place(static_cast<double>(i) / columns, static_cast<double>(j) / rows);
+      x.push_back(p.x);
+      y.push_back(p.y);
+      if (i > 0 && j > 0) faces.push_back({id(i - 1, j - 1), id(i, j - 1), id(i, j), id(i - 1, j)});
+    }
+  Mesh mesh = build_mesh(std::move(x), std::move(y), faces);
+  ConstraintTags tags = ConstraintTags::add_to(mesh);
+  for (const VertexId v : mesh.vertices())
+    if (mesh.on_boundary(v)) tags.support[v] = Support::fixed();
+  return mesh;
+}
+
+TEST(OptimiseShape, KeepsTheRightAnglesOfABlockWhoseFixedRimAsksForRectangles) {
+  // Slanted inside: only the rim knows the right angles.
+  Mesh mesh = fixed_block(12, 12, [](double s, double t) {
+    return Vec2{36 * (s + 0.4 * s * (1 - s) * t * (1 - t)), 12 * (t + 0.5 * s * (1 - s) * t * (1 - t))};
+  });
+  optimise_shape(mesh, {}, {.sweeps = 100, .tolerance = 1e-4}, Progress());
+  EXPECT_GT(Jacobians(mesh).smallest, 0.999);
+}
+
+TEST(OptimiseShape, EvensOutTheAreasWhereOneSizeIsWanted) {
+  // Inside the rim the lattice is drawn to one side.
+  Mesh mesh = fixed_block(24, 24, [](double s, double t) {
+    const bool inside = s > 0 && s < 1 && t > 0 && t < 1;
+    return Vec2{24 * (inside ? std::pow(s, 1.6) : s), 24 * t};
+  });
+  const UniformSize size(1);
+  optimise_shape(mesh, {}, {.sweeps = 100, .size = &size}, Progress());
+  std::vector<double> areas;
+  for (const FaceId f : mesh.faces())
+    areas.push_back(measure_face(mesh, f, [](auto... corners) { return signed_area(corners...); }));
+  std::sort(areas.begin(), areas.end());
+  EXPECT_LT(areas[areas.size() * 99 / 100] / areas[areas.size() / 100], 2);
+}
+
+TEST(OptimiseShape, TurnsBackAFaceThatIsTurnedOver) {
+  Mesh mesh = fixed_block(6, 6, [](double s, double t) {
+    const bool middle = s == 0.5 && t == 0.5;
+    return Vec2{6 * (middle ? 0.7 : s), 6 * (middle ? 0.6 : t)};
+  });
+  EXPECT_LT(Jacobians(mesh).smallest, 0);
+  optimise_shape(mesh, {}, {.sweeps = 20}, Progress());
+  EXPECT_EQ(validate(mesh, GeometryCheck::kPlanarCorners), "");
+  EXPECT_GT(Jacobians(mesh).smallest, 0.9);
+}
+
+}  // namespace
+}  // namespace quarry
