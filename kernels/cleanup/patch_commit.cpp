@@ -2,12 +2,20 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <memory>
 
 #include "kernels/cleanup/model_face.hpp"
 #include "kernels/cleanup/patch_placement.hpp"
 
 namespace quarry {
+namespace {
+
+// Patches of more rows than this are wide.
+constexpr int kWideRows = 24;
+constexpr int kMostSweeps = 256;
+
+}  // namespace
 
 template <GeometryModel Model>
 struct PatchCommit<Model>::Worker {
@@ -61,8 +69,9 @@ void PatchCommit<Model>::apply(MeshEditor& editor, Item item, const Plan& /*plan
   place(editor, proposal, ids, *worker);
   const std::span<const FaceId> made =
       worker->replacer.replace(editor, tags_, proposal.faces, worker->fresh, ids);
-  const double after = smallest_after(editor, made, *worker);
-  const bool good = after > 0 && after >= std::min(options_->least_jacobian, before);
+  const double wanted = std::min(options_->least_jacobian, before);
+  const double after = smallest_after(editor, made, wanted, *worker);
+  const bool good = after > 0 && after >= wanted;
   if (good)
     for (const VertexId v : worker->vertices) stars_->update(editor.mesh(), v);
   const bool gains = good && energy_of(editor.mesh(), worker->vertices) < energy;
@@ -142,7 +151,7 @@ double PatchCommit<Model>::smallest_before(const MeshEditor& editor, const Patch
 }
 
 template <GeometryModel Model>
-double PatchCommit<Model>::smallest_after(MeshEditor& editor, std::span<const FaceId> made,
+double PatchCommit<Model>::smallest_after(MeshEditor& editor, std::span<const FaceId> made, double wanted,
                                           Worker& worker) const {
   double smallest = 1;
   // The smoother does not look at faces that it cannot change.
@@ -153,7 +162,17 @@ double PatchCommit<Model>::smallest_after(MeshEditor& editor, std::span<const Fa
     if (frozen) smallest = std::min(smallest, signed_scaled_jacobian(editor.mesh(), *model_, f));
   }
   if (!(smallest > 0) || worker.movable.empty()) return smallest;
-  return std::min(smallest, worker.smoother.run(editor, worker.movable, options_->smoothing));
+  // A sweep carries a change over one row: wide patches get more of them, and many more if they need them.
+  const int rows = static_cast<int>(std::sqrt(static_cast<double>(made.size())));
+  LocalShapeOptions smoothing = options_->smoothing;
+  smoothing.sweeps = std::max(smoothing.sweeps, rows > kWideRows ? rows / 2 : 0);
+  const int most = std::min(3 * rows, kMostSweeps);
+  double smoothed = worker.smoother.run(editor, worker.movable, smoothing);
+  for (int spent = smoothing.sweeps; smoothed < wanted && spent < most; spent += smoothing.sweeps) {
+    smoothing.sweeps = std::min(spent, most - spent);
+    smoothed = worker.smoother.run(editor, worker.movable, smoothing);
+  }
+  return std::min(smallest, smoothed);
 }
 
 template <GeometryModel Model>

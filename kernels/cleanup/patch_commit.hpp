@@ -44,7 +44,8 @@ class PatchCommit {
   void save(const MeshEditor& editor, const PatchProposal& proposal, Worker& worker) const;
   void restore(MeshEditor& editor, const PatchProposal& proposal, const Worker& worker) const;
   [[nodiscard]] double smallest_before(const MeshEditor& editor, const PatchProposal& proposal) const;
-  [[nodiscard]] double smallest_after(MeshEditor& editor, std::span<const FaceId> made, Worker& worker) const;
+  [[nodiscard]] double smallest_after(MeshEditor& editor, std::span<const FaceId> made, double wanted,
+                                      Worker& worker) const;
   [[nodiscard]] double energy_of(const Mesh& mesh, std::span<const VertexId> vertices) const;
 
   const Model* model_;

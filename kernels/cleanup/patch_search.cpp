@@ -49,10 +49,11 @@ bool PatchSearch::grow(VertexId seed, VertexId towards, Candidate& found, PatchR
   growth_.begin(*mesh_, *stars_, options_->largest);
   bool growing = std::all_of(path_.begin(), path_.end(), [&](VertexId v) { return growth_.add_star(v); });
   bool fits = false;
+  met_refused_ = false;
   while (growing && growth_.make_convex()) {
     ++report.stages;
     fits = try_stage(found, report);
-    if (fits) break;
+    if (fits || met_refused_) break;
     growing = add_ring(seed, towards);
   }
   report.grown_faces += growth_.faces().size();
@@ -86,6 +87,7 @@ bool PatchSearch::try_stage(Candidate& found, PatchReport& report) {
   growth_.walk_rim(rim_);
   const PatchSides outer = find_sides(growth_, rim_, CornerRule::kOuterAngle);
   if (try_sides(outer, found, report)) return true;
+  if (met_refused_) return false;
   const PatchSides inner = find_sides(growth_, rim_, CornerRule::kInnerFaces);
   return inner != outer && try_sides(inner, found, report);
 }
@@ -107,8 +109,8 @@ bool PatchSearch::try_sides(const PatchSides& sides, Candidate& found, PatchRepo
   found.gain = growth_.energy() - energy_of(found);
   if (!(found.gain > 0)) return reject(PatchReject::kNoGain);
   if (joins_twice(found)) return reject(PatchReject::kDoubleEdge);
-  // What failed once would fail again.
-  return refused_.empty() || !std::binary_search(refused_.begin(), refused_.end(), key());
+  met_refused_ = !refused_.empty() && std::binary_search(refused_.begin(), refused_.end(), key());
+  return !met_refused_;
 }
 
 std::optional<PatchFill> PatchSearch::choose_fill(const PatchSides& sides) const {

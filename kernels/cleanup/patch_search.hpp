@@ -77,6 +77,7 @@ class PatchSearch {
   PatchLayout layout_;
   StampedMap<char> seen_;
   std::span<const std::uint64_t> refused_;
+  bool met_refused_ = false;
   std::vector<VertexId> path_, nearest_path_, ring_, rim_;
 };
 
