@@ -88,7 +88,12 @@ class ShapeMover {
   [[nodiscard]] bool may_move(VertexId v) const { return slide_.movable(v); }
 
   void first_look(const Mesh& mesh, WakeList& list) const {
-    wake_corners(mesh, list, [](FaceId) { return true; });
+    wake_corners(mesh, list, [&](FaceId f) {
+      const double area = corner_area(mesh, f);
+      const double wanted = (*areas_)[f];
+      const double most = options_.content_areas;
+      return scaled_jacobian(mesh, f) < options_.content || area > most * wanted || most * area < wanted;
+    });
   }
 
   bool move(Mesh& mesh, VertexId v) {

@@ -18,6 +18,10 @@ struct ShapeOptions {
   // weights of 0.03, 0.1 and 0.3 left areas within 10, 8 and 6 and mean scaled Jacobians of 0.981, 0.980,
   // 0.978.
   ShapeTarget target{.size_weight = 0.3};
+  // Stars whose faces all have at least this scaled Jacobian, and areas within this factor of the wanted one,
+  // are left alone until a neighbour moves.
+  double content = 0.98;
+  double content_areas = 1.6;
   // Faces may lose scaled Jacobian for others' sake down to this, and never below.
   double floor = 0.3;
   // The same for the longest edge by the shortest, of quads.
