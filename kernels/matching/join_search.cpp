@@ -19,6 +19,8 @@ using matching::Star;
 using matching::StarToggle;
 
 constexpr std::size_t kStarChunk = 512;
+// The cost of a quad that pairs of stars are tried for.
+constexpr double kBadCost = 0.6;
 constexpr std::uint64_t kUnclaimed = ~std::uint64_t{0};
 
 struct Candidate {
@@ -67,7 +69,7 @@ class JoinSearch {
       const double left = 1 - static_cast<double>(sweep) / options_.annealing_sweeps;
       const double temperature = options_.coldest + (options_.hottest - options_.coldest) * left * left;
       const auto round = static_cast<std::uint32_t>(sweep);
-      const std::vector<Candidate> accepted = draw(round, temperature * kCostUnit);
+      const std::vector<Candidate> accepted = draw(near_steiner_points(), round, temperature * kCostUnit);
       // Both ends of an edge may have drawn the same move: the keys differ, so that it is made once.
       report_.annealing_moves += commit_independent(accepted, [&](const Candidate& c) {
         const std::uint32_t drawer = c.star.first.value();
@@ -79,9 +81,10 @@ class JoinSearch {
 
   void descend(bool pairs, const Progress& progress) {
     std::vector<Candidate> waiting;
-    parallel::for_each(state_.mesh.vertex_slots(), [&](std::size_t i) {
-      if (state_.free[VertexId(i)] != 0) touched_.set(VertexId(i));
-    });
+    if (pairs)
+      touch_bad_faces();
+    else
+      touch_all();
     for (int round = 0; round < options_.rounds; ++round) {
       progress.throw_if_cancelled();
       const std::vector<std::uint32_t> active = touched_.list();
@@ -114,6 +117,31 @@ class JoinSearch {
       if (state_.free[w] == 0 || (touched_.has(w) && w < v)) return;
       visit(Star{v, w}, matching::canonical(state_.mesh, s).value());
     });
+  }
+
+  void touch_all() {
+    parallel::for_each(state_.mesh.vertex_slots(), [&](std::size_t i) {
+      if (state_.free[VertexId(i)] != 0) touched_.set(VertexId(i));
+    });
+  }
+
+  // Pairs are six times as many as stars and seldom win but where a Steiner point or a bad quad is to be got
+  // rid of: only the corners of such triangles are looked at first.
+  void touch_bad_faces() {
+    parallel::for_each(state_.mesh.face_slots(), [&](std::size_t i) {
+      const FaceId f(i);
+      if (!is_bad(f)) return;
+      for (int k = 0; k < 3; ++k) touched_.set(state_.mesh.corner(f, k));
+    });
+  }
+
+  [[nodiscard]] bool is_bad(FaceId f) const {
+    const std::uint8_t bits = state_.join[f];
+    if (matching::is_split(bits)) return true;
+    if (bits == 0) return false;
+    const SideId s(f, std::countr_zero(static_cast<unsigned>(bits)));
+    return state_.costs(s, false, matching::is_split(state_.join[state_.mesh.neighbour(s).face()])) >
+           kBadCost * kCostUnit;
   }
 
   // What one chunk finds.
@@ -168,11 +196,34 @@ class JoinSearch {
     }
   }
 
-  // One move for each free vertex, alone or with a neighbour, where the draw accepts its cost.
-  std::vector<Candidate> draw(std::uint32_t sweep, double temperature) {
+  // Vertices up to one edge away from triangles that need a Steiner point. Elsewhere annealing would only
+  // undo what the descent has done.
+  std::vector<std::uint32_t> near_steiner_points() {
+    const auto split = parallel::filter_indices(
+        state_.join.size(), [&](std::size_t i) { return matching::is_split(state_.join[FaceId(i)]); });
+    const auto touch_around = [&](VertexId v) {
+      for_each_side_around(state_.mesh, v, [&](SideId s) {
+        touched_.set(state_.mesh.target(s));
+        touched_.set(matching::apex(state_.mesh, s));
+      });
+    };
+    parallel::for_each(
+        split.size(),
+        [&](std::size_t i) {
+          for (int k = 0; k < 3; ++k) touch_around(state_.mesh.corner(FaceId(split[i]), k));
+        },
+        kStarChunk);
+    std::vector<std::uint32_t> near = touched_.list();
+    touched_.clear(near);
+    return near;
+  }
+
+  // One move for each of the free vertices, alone or with a neighbour, where the draw accepts its cost.
+  std::vector<Candidate> draw(const std::vector<std::uint32_t>& vertices, std::uint32_t sweep,
+                              double temperature) {
     const std::uint64_t base = mix64(mix64(options_.seed) ^ sweep);
-    return gather(state_.mesh.vertex_slots(), [&](std::size_t i, StarToggle& toggle, Found& found) {
-      const VertexId v(i);
+    return gather(vertices.size(), [&](std::size_t i, StarToggle& toggle, Found& found) {
+      const VertexId v(vertices[i]);
       if (state_.free[v] == 0) return;
       const std::uint64_t random = mix64(base ^ mix64(v.value()));
       const Star star = pick(v, random);
@@ -227,9 +278,14 @@ class JoinSearch {
         },
         kStarChunk);
     const auto winners = parallel::filter_indices(won.size(), [&](std::size_t i) { return won[i] != 0; });
-    parallel::for_each(
-        winners.size(), [&](std::size_t i) { make_move(candidates[winners[i]]); }, kStarChunk);
-    return winners.size();
+    return parallel::reduce_ordered(
+        winners.size(), std::uint64_t{0},
+        [&](std::size_t begin, std::size_t end) {
+          std::uint64_t made = 0;
+          for (std::size_t i = begin; i < end; ++i) made += make_move(candidates[winners[i]]) ? 1 : 0;
+          return made;
+        },
+        [](std::uint64_t a, std::uint64_t b) { return a + b; }, kStarChunk);
   }
 
   void claim(VertexId v, std::uint64_t mine) {
@@ -239,20 +295,20 @@ class JoinSearch {
     }
   }
 
-  // The cost of a toggle depends on faces and valences of its stars and on the faces across their rims, so
-  // that a move matters to all within one edge of its vertices.
-  void make_move(const Candidate& candidate) {
+  // Makes a move that has won, unless it has become worse since it was looked at; it is looked at again then.
+  // Moves at the vertices whose faces changed are looked at next. Those one edge farther depend on the change
+  // too, by a valence or by the quads across their rim, but so little that it is not worth four times as many
+  // looks.
+  bool make_move(const Candidate& candidate) {
     StarToggle toggle(state_);
     toggle.gather(candidate.star);
-    (void)toggle.gain_in_cost();
-    toggle.commit();
-    for (const VertexId v : toggle.vertices()) {
-      touched_.set(v);
-      for_each_side_around(state_.mesh, v, [&](SideId s) {
-        touched_.set(state_.mesh.target(s));
-        touched_.set(matching::apex(state_.mesh, s));
-      });
+    if (toggle.gain_in_cost() > candidate.change) {
+      touched_.set(candidate.star.first);
+      return false;
     }
+    toggle.commit();
+    for (const VertexId v : toggle.vertices()) touched_.set(v);
+    return true;
   }
 
   SearchState& state_;
@@ -269,8 +325,8 @@ void improve_join(const Mesh& mesh, ConstraintTags tags, const MergeCosts& costs
                   const Progress& progress) {
   SearchState state(mesh, tags, costs, join);
   JoinSearch search(state, options, report);
-  if (options.annealing_sweeps > 0) search.anneal(progress);
   search.descend(false, progress);
+  if (options.annealing_sweeps > 0) search.anneal(progress);
   if (options.pairs) search.descend(true, progress);
 }
 

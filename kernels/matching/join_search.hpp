@@ -15,10 +15,11 @@ struct JoinSearchOptions {
   // Rounds of the descent at most; it ends by itself when nothing improves. Each commits an independent set
   // of moves.
   int rounds = 200;
-  // Sweeps of annealing before the descent, from the first to the last temperature (in units of the cost of
-  // JoinCostOptions). What a vertex draws in a sweep is a function of its number, the sweep and the seed.
+  // Sweeps of annealing between the descents by stars and by pairs, near Steiner points alone, from the first
+  // to the last temperature (in units of the cost of JoinCostOptions). What a vertex draws in a sweep is a
+  // function of its number, the sweep and the seed.
   int annealing_sweeps = 0;
-  double hottest = 1.5;
+  double hottest = 2;
   double coldest = 0.05;
   std::uint64_t seed = 0;
 };

@@ -8,6 +8,7 @@
 #include "engine/base/error.hpp"
 #include "engine/mesh/validate.hpp"
 #include "engine/parallel/parallel.hpp"
+#include "kernels/local/better_flips.hpp"
 #include "kernels/matching/merge_join.hpp"
 #include "kernels/matching/spanning_forest.hpp"
 #include "kernels/matching/subtree_parity.hpp"
@@ -15,11 +16,21 @@
 namespace quarry {
 namespace {
 
+void better_triangles(Mesh& mesh, const NodedLines& lines, const MatchingOptions& options,
+                      MatchingReport& report, const Progress& progress) {
+  if (!options.better_triangles) return;
+  report.flips = flip_to_better(mesh, progress);
+  report.smoothing.push_back(smooth_laplacian(mesh, lines, options.smoothing, progress));
+}
+
 void smooth(Mesh& mesh, const NodedLines& lines, const MatchingOptions& options, MatchingReport& report,
             const Progress& progress) {
-  progress.report("smoothing", 0);
-  report.smoothing = smooth_laplacian(mesh, lines, options.smoothing, progress);
-  report.square_corners = square_corners(mesh, lines, options.square_corners, progress);
+  for (int round = 0; round < options.opening_rounds; ++round) {
+    progress.report("smoothing", static_cast<double>(round) / (options.opening_rounds + 1));
+    report.smoothing.push_back(optimise_shape(mesh, lines, options.shape, progress));
+    report.openings.push_back(open_straight_corners(mesh, options.openings, progress));
+  }
+  report.smoothing.push_back(optimise_shape(mesh, lines, options.shape, progress));
   report.optimise = optimise_corners(mesh, lines, options.optimise, progress);
 }
 
@@ -41,7 +52,9 @@ DualArcs find_join(const Mesh& mesh, ConstraintTags tags, const MatchingOptions&
                    MatchingReport& report, const Progress& progress) {
   const std::vector<float> shapes = pair_shapes(mesh, tags);
   progress.throw_if_cancelled();
-  const SpanningForest forest = maximum_spanning_forest(mesh, shapes);
+  const SpanningForest forest = maximum_spanning_forest(
+      mesh,
+      options.start == MatchingStart::kShapes ? shapes : short_way_worths(mesh, shapes, options.short_ways));
   report.forest_rounds = forest.rounds;
   progress.throw_if_cancelled();
   DualArcs join = subtree_parity_join(mesh, forest.arcs);
@@ -66,12 +79,13 @@ Mesh make_quads_by_matching(Mesh&& triangles, const NodedLines& lines, const Mat
                             MatchingReport& report, const Progress& progress) {
   Mesh mesh = std::move(triangles);
   progress.report("matching", 0);
+  better_triangles(mesh, lines, options, report, progress);
   prepare_for_join(mesh, ConstraintTags::of(mesh), lines, options, report, progress);
   const DualArcs join = find_join(mesh, ConstraintTags::of(mesh), options, report, progress);
   report.steiner_points = count_steiner_points(join);
   mesh = merge_join(std::move(mesh), join);
-  report.quads = mesh.face_slots();
   smooth(mesh, lines, options, report, progress);
+  report.quads = mesh.face_slots();
   check_quads(mesh, options, report);
   return mesh;
 }

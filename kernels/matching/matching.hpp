@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "engine/base/progress.hpp"
 #include "engine/geometry/line_set.hpp"
@@ -15,22 +16,37 @@
 #include "kernels/matching/ears.hpp"
 #include "kernels/matching/join_search.hpp"
 #include "kernels/matching/merge_cost.hpp"
+#include "kernels/matching/openings.hpp"
 #include "kernels/matching/region_parity.hpp"
+#include "kernels/matching/short_ways.hpp"
 #include "kernels/smooth/laplacian.hpp"
 #include "kernels/smooth/optimise.hpp"
-#include "kernels/smooth/square_corners.hpp"
+#include "kernels/smooth/optimise_shape.hpp"
 
 namespace quarry {
+
+// What orders the arcs of the spanning forest.
+enum class MatchingStart {
+  kShapes,  // the shape of the merged quads alone: no worse quad than any join needs, but many Steiner points
+  kShortWays,  // good pairs first, then short alternating ways between the triangles left single
+};
 
 struct MatchingOptions {
   // No boundary edge may be halved; an odd boundary is then an error.
   bool keep_boundary = false;
   EarOptions ears;
+  MatchingStart start = MatchingStart::kShortWays;
+  ShortWayOptions short_ways;
   JoinCostOptions cost;
   bool search = true;
   JoinSearchOptions searching;
-  LaplacianOptions smoothing{.sweeps = 10, .tolerance = 0.02};
-  SquareCornersOptions square_corners;
+  // Triangles are flipped to better ones and smoothed before they are matched.
+  bool better_triangles = true;
+  LaplacianOptions smoothing{.sweeps = 4, .tolerance = 0.02};
+  // Quads are smoothed, and their straight corners opened, this often.
+  int opening_rounds = 2;
+  OpeningOptions openings;
+  ShapeOptions shape{.sweeps = 6};
   OptimiseOptions optimise;
   // Throw where a quad stays inverted; else only count it.
   bool require_valid = true;
@@ -43,7 +59,10 @@ struct MatchingReport {
   JoinSearchReport search;
   std::uint64_t quads = 0;
   std::uint64_t steiner_points = 0;
-  SweepReport smoothing, square_corners, optimise;
+  PassReport flips;
+  std::vector<PassReport> openings;    // one a round
+  std::vector<SweepReport> smoothing;  // of triangles, and then one a round
+  SweepReport optimise;
   std::uint64_t invalid = 0;  // quads left that are not strictly convex
 };
 
@@ -53,7 +72,7 @@ struct MatchingReport {
                                  MatchingReport& report, const Progress& progress);
 
 // Halves constrained and boundary edges of a planar mesh until every region is even, and opens forced ears:
-// what find_join needs.
+// what find_join needs. Vertices keep their numbers.
 void prepare_for_join(Mesh& mesh, ConstraintTags tags, const NodedLines& lines,
                       const MatchingOptions& options, MatchingReport& report, const Progress& progress);
 

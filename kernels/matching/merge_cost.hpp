@@ -18,7 +18,7 @@ struct JoinCostOptions {
   double flat_shape = 0.05;
   double flat_weight = 20;
   double steiner = 4;
-  double valence = 0.3;
+  double valence = 0.2;
 };
 
 // The shape (smallest corner sine) of the quad that each arc of the dual would make, for each side slot (four

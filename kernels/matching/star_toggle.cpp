@@ -72,46 +72,104 @@ SearchState::SearchState(const Mesh& of, ConstraintTags tags, const MergeCosts& 
       kVertexChunk);
 }
 
-std::uint8_t StarToggle::position_of(VertexId v) {
-  for (std::size_t i = 0; i < vertex_count_; ++i)
-    if (vertices_[i] == v) return static_cast<std::uint8_t>(i);
+std::uint8_t StarToggle::add_vertex(VertexId v) {
   vertices_[vertex_count_] = v;
   more_faces_[vertex_count_] = 0;
   return static_cast<std::uint8_t>(vertex_count_++);
 }
 
-const StarToggle::Face* StarToggle::find(FaceId f) const {
-  for (std::size_t i = 0; i < face_count_; ++i)
-    if (faces_[i].id == f) return &faces_[i];
-  return nullptr;
+std::uint8_t StarToggle::position_of(VertexId v) {
+  for (std::size_t i = 0; i < vertex_count_; ++i)
+    if (vertices_[i] == v) return static_cast<std::uint8_t>(i);
+  return add_vertex(v);
 }
 
-void StarToggle::add_face(FaceId f, std::uint8_t toggled) {
-  Face& face = faces_[face_count_++];
-  face.id = f;
-  face.before = state_->join[f];
-  face.after = static_cast<std::uint8_t>(face.before ^ toggled);
-  for (int k = 0; k < 3; ++k)
-    face.corner[static_cast<std::size_t>(k)] = position_of(state_->mesh.corner(f, k));
+std::uint8_t StarToggle::find(FaceId f) const {
+  for (std::size_t i = 0; i < face_count_; ++i)
+    if (faces_[i].id == f) return static_cast<std::uint8_t>(i);
+  return kUnknown;
+}
+
+// The arcs around a vertex, in the face of a side that starts there.
+static std::uint8_t arcs_at_origin(SideId s) {
+  return static_cast<std::uint8_t>(bit_of(s.index()) | bit_of(previous_of_three(s.index())));
+}
+
+// The face of s, whose corners from the origin of s on are at these positions, with its two arcs there
+// toggled.
+std::uint8_t StarToggle::add_face(SideId s, std::uint8_t here, std::uint8_t next, std::uint8_t previous) {
+  Face& face = faces_[face_count_];
+  const auto k = static_cast<std::size_t>(s.index());
+  face.id = s.face();
+  face.before = state_->join[face.id];
+  face.after = static_cast<std::uint8_t>(face.before ^ arcs_at_origin(s));
+  face.corner[k] = here;
+  face.corner[k == 2 ? 0 : k + 1] = next;
+  face.corner[k == 0 ? 2 : k - 1] = previous;
+  face.across = {kUnknown, kUnknown, kUnknown};
+  return static_cast<std::uint8_t>(face_count_++);
+}
+
+// Two faces that follow each other counter-clockwise around the origin of both sides.
+void StarToggle::join_in_turn(std::uint8_t face, SideId s, std::uint8_t after, SideId t) {
+  faces_[face].across[static_cast<std::size_t>(previous_of_three(s.index()))] = after;
+  faces_[after].across[static_cast<std::size_t>(t.index())] = face;
+}
+
+void StarToggle::gather_first(VertexId v) {
+  const Mesh& mesh = state_->mesh;
+  const SideId first = mesh.side_of(v);
+  const std::uint8_t centre = add_vertex(v);
+  const std::uint8_t start = add_vertex(mesh.target(first));
+  std::uint8_t next = start;
+  SideId before;
+  for (SideId s = first;;) {
+    const SideId t = mesh.turn_left(s);
+    const bool last = t == first;
+    const std::uint8_t previous = last ? start : add_vertex(apex(mesh, s));
+    const std::uint8_t here = add_face(s, centre, next, previous);
+    if (here > 0) join_in_turn(static_cast<std::uint8_t>(here - 1), before, here, s);
+    before = s;
+    if (last) {
+      join_in_turn(here, s, 0, first);
+      return;
+    }
+    next = previous;
+    s = t;
+  }
+}
+
+// The two faces at the edge between both vertices are there already.
+void StarToggle::gather_second(VertexId first, VertexId v) {
+  const Mesh& mesh = state_->mesh;
+  const std::uint8_t centre = position_of(v);
+  const SideId start = mesh.side_of(v);
+  std::uint8_t before = kUnknown, first_face = kUnknown;
+  SideId side_before;
+  SideId s = start;
+  do {
+    std::uint8_t here;
+    if (mesh.target(s) == first || apex(mesh, s) == first) {
+      here = find(s.face());
+      faces_[here].after ^= arcs_at_origin(s);
+    } else {
+      const std::uint8_t next = position_of(mesh.target(s));
+      here = add_face(s, centre, next, position_of(apex(mesh, s)));
+    }
+    if (before != kUnknown) join_in_turn(before, side_before, here, s);
+    if (first_face == kUnknown) first_face = here;
+    before = here;
+    side_before = s;
+    s = mesh.turn_left(s);
+  } while (s != start);
+  join_in_turn(before, side_before, first_face, start);
 }
 
 void StarToggle::gather(Star star) {
   face_count_ = 0;
   vertex_count_ = 0;
-  const auto sides_at = [](SideId s) {
-    return static_cast<std::uint8_t>(bit_of(s.index()) | bit_of(previous_of_three(s.index())));
-  };
-  for_each_side_around(state_->mesh, star.first, [&](SideId s) { add_face(s.face(), sides_at(s)); });
-  if (!star.second.valid()) return;
-  const std::size_t around_first = face_count_;
-  for_each_side_around(state_->mesh, star.second, [&](SideId s) {
-    for (std::size_t i = 0; i < around_first; ++i) {
-      if (faces_[i].id != s.face()) continue;
-      faces_[i].after ^= sides_at(s);
-      return;
-    }
-    add_face(s.face(), sides_at(s));
-  });
+  gather_first(star.first);
+  if (star.second.valid()) gather_second(star.first, star.second);
 }
 
 // The change in cost of the quad across side k. A quad between two gathered faces is counted by the face with
@@ -121,11 +179,18 @@ int StarToggle::change_at(const Face& face, int k) const {
   const bool is = ((face.after >> k) & 1U) != 0;
   if (!was && !is) return 0;
   const SideId s(face.id, k);
-  const FaceId across = state_->mesh.neighbour(s).face();
-  const Face* other = find(across);
-  if (other != nullptr && across < face.id) return 0;
-  const bool split_before = is_split(other != nullptr ? other->before : state_->join[across]);
-  const bool split_after = other != nullptr ? is_split(other->after) : split_before;
+  std::uint8_t other = face.across[static_cast<std::size_t>(k)];
+  bool split_before, split_after;
+  if (other == kUnknown) {
+    const FaceId across = state_->mesh.neighbour(s).face();
+    other = find(across);
+    if (other == kUnknown) split_before = split_after = is_split(state_->join[across]);
+  }
+  if (other != kUnknown) {
+    if (faces_[other].id < face.id) return 0;
+    split_before = is_split(faces_[other].before);
+    split_after = is_split(faces_[other].after);
+  }
   int change = 0;
   if (was) change -= state_->costs(s, is_split(face.before), split_before);
   if (is) change += state_->costs(s, is_split(face.after), split_after);
@@ -140,8 +205,8 @@ void StarToggle::count_valences(const Face& face) {
     more_faces_[face.corner[here]] += more_splits;
     const int more_arcs = ((face.after >> k) & 1) - ((face.before >> k) & 1);
     if (more_arcs == 0) continue;
-    const SideId s(face.id, k);
-    if (state_->mesh.neighbour(s) < s) continue;
+    // An arc that is toggled lies between two gathered faces.
+    if (faces_[face.across[here]].id < face.id) continue;
     more_faces_[face.corner[here]] -= more_arcs;
     more_faces_[face.corner[static_cast<std::size_t>(next_of_three(k))]] -= more_arcs;
   }

@@ -50,15 +50,22 @@ class StarToggle {
   }
 
  private:
+  static constexpr std::uint8_t kUnknown = 255;
+
   struct Face {
     FaceId id;
     std::uint8_t before, after;
     std::array<std::uint8_t, 3> corner;  // positions in vertices_
+    std::array<std::uint8_t, 3> across;  // positions in faces_, as far as known
   };
 
-  void add_face(FaceId f, std::uint8_t toggled);
+  std::uint8_t add_vertex(VertexId v);
   std::uint8_t position_of(VertexId v);
-  [[nodiscard]] const Face* find(FaceId f) const;
+  std::uint8_t add_face(SideId s, std::uint8_t here, std::uint8_t next, std::uint8_t previous);
+  void join_in_turn(std::uint8_t face, SideId s, std::uint8_t after, SideId t);
+  void gather_first(VertexId v);
+  void gather_second(VertexId first, VertexId v);
+  [[nodiscard]] std::uint8_t find(FaceId f) const;
   [[nodiscard]] int change_at(const Face& face, int k) const;
   void count_valences(const Face& face);
 

@@ -7,9 +7,12 @@
 
 #include "engine/parallel/parallel.hpp"
 #include "kernels/matching/merge_cost.hpp"
+#include "kernels/matching/merge_join.hpp"
+#include "kernels/matching/short_ways.hpp"
 #include "kernels/matching/spanning_forest.hpp"
 #include "kernels/matching/subtree_parity.hpp"
 #include "tests/kernels/matching/triangle_meshes.hpp"
+#include "tests/support/mesh_zoo.hpp"
 #include "tests/support/synthetic_mesh.hpp"
 
 namespace quarry {
@@ -101,6 +104,38 @@ TEST(SubtreeParity, HoldsOnAClosedSurface) {
   const auto worth = pair_shapes(mesh, ConstraintTags::of(mesh));
   const DualArcs join = subtree_parity_join(mesh, maximum_spanning_forest(mesh, worth).arcs);
   for (const FaceId f : mesh.faces()) EXPECT_EQ(matching::degree(join[f]) % 2, 1);
+}
+
+TEST(ShortWays, LeaveFewSteinerPointsAndAreTheSameOnAnyNumberOfThreads) {
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    const Mesh mesh = test::delaunay_mesh(60, 47, seed);
+    const auto shapes = pair_shapes(mesh, ConstraintTags::of(mesh));
+    const auto expected = short_way_worths(mesh, shapes, {});
+    const auto steiner_points = [&](const std::vector<float>& worth) {
+      return count_steiner_points(subtree_parity_join(mesh, maximum_spanning_forest(mesh, worth).arcs));
+    };
+    EXPECT_LT(steiner_points(expected), steiner_points(shapes) / 3);
+    for (const int threads : {1, 2, 4, 7})
+      parallel::with_threads(threads, [&] {
+        const parallel::ParticipationProbe probe;
+        EXPECT_EQ(short_way_worths(mesh, shapes, {}), expected);
+      });
+  }
+}
+
+TEST(ShortWays, KeepThePairsOfALatticeOfRightTriangles) {
+  // Every cell is a square, so that no way is needed; ties are everywhere.
+  const Mesh mesh = test::with_fixed_rim(test::triangle_lattice(40, 30));
+  const auto shapes = pair_shapes(mesh, ConstraintTags::of(mesh));
+  const auto worth = short_way_worths(mesh, shapes, {});
+  const DualArcs join = subtree_parity_join(mesh, maximum_spanning_forest(mesh, worth).arcs);
+  EXPECT_EQ(count_steiner_points(join), 0U);
+  for (const FaceId f : mesh.faces())
+    for (int k = 0; k < 3; ++k)
+      if (matching::contains(join, SideId(f, k))) {
+        EXPECT_EQ(shapes[SideId(f, k).value()], 1.0F);
+      }
 }
 
 }  // namespace

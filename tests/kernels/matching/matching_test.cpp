@@ -163,6 +163,18 @@ TEST(Matching, LeavesNothingInvertedWithoutConstraints) {
   }
 }
 
+TEST(Openings, GiveAStraightCornerASecondQuad) {
+  // Point 1 is straight in the lower quad, and fixed on the boundary.
+  Mesh mesh = test::with_fixed_rim(
+      test::mesh_of({{0, 0}, {1, 0}, {2, 0}, {1, 0.8}, {2.2, 1.5}, {0.8, 2}}, {{0, 1, 2, 3}, {3, 2, 4, 5}}));
+  const Ends boundary = boundary_of(mesh);
+  const PassReport report = open_straight_corners(mesh, {}, Progress());
+  EXPECT_EQ(report.won, 1U);
+  EXPECT_EQ(mesh.count_alive_faces(), 3U);
+  EXPECT_EQ(validate(mesh, GeometryCheck::kPlanarCorners), "");
+  EXPECT_EQ(boundary_of(mesh), boundary);
+}
+
 TEST(Matching, TakesAClosedSurface) {
   Mesh sphere = test::icosphere(4);
   MatchingReport report;
