@@ -19,8 +19,9 @@ namespace quarry {
 namespace {
 
 LocalTags count_tags(Mesh& mesh) {
+  mesh.remove_tag<VertexId>("faces");
   LocalTags tags{ConstraintTags::of(mesh), set_ideal_faces(mesh, PlaneModel()),
-                 mesh.add_tag<VertexId, std::uint16_t>("faces_of_vertex", 0)};
+                 mesh.add_tag<VertexId, std::uint16_t>("faces", 0)};
   for (const FaceId f : mesh.faces())
     if (mesh.alive(f))
       for (int k = 0; k < mesh.corner_count(f); ++k) ++tags.faces[mesh.corner(f, k)];
@@ -221,7 +222,6 @@ TEST(VertexSplit, MakesTwoVerticesOfOneWithSixFaces) {
   ASSERT_EQ(validate(mesh, GeometryCheck::kPlanarCorners), "");
   EXPECT_GE(run_alone<VertexSplit>(mesh), 1U);
   EXPECT_EQ(validate(mesh, GeometryCheck::kPlanarCorners), "");
-  mesh.remove_tag<VertexId>("faces_of_vertex");
   EXPECT_EQ(count_tags(mesh).faces[VertexId(0U)], 4);
 }
 
@@ -235,10 +235,8 @@ TEST(PairWalk, CancelsTwoPairsAtTheEndsOfAStrip) {
   lattice.faces.push_back({b(5), a(5), a(4), a(3)});
   Mesh mesh = lattice.mesh();
   EXPECT_EQ(run_alone<EdgeRotation>(mesh), 0U);
-  mesh.remove_tag<VertexId>("faces_of_vertex");
   EXPECT_EQ(run_alone<PairWalk>(mesh), 1U);
   EXPECT_EQ(validate(mesh, GeometryCheck::kPlanarCorners), "");
-  mesh.remove_tag<VertexId>("faces_of_vertex");
   EXPECT_EQ(energy_of(mesh, count_tags(mesh)), 0);
 }
 
