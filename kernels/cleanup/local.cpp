@@ -99,15 +99,14 @@ class LocalCleanup {
   bool run() {
     using Operation = LocalOperation<Model, Operator>;
     const Stopwatch watch;
-    const Operation operation(model_, tags_, {.floor = options_.floor, .mends = false, .shape = {}},
-                              options_.most_ways);
+    const Operation operation(model_, tags_, {.floor = options_.floor, .shape = {}}, options_.most_ways);
     const auto wanted = parallel::filter_indices(
         mesh_.vertex_slots(), [&](std::size_t i) { return operation.wants(mesh_, VertexId(i)); });
     std::vector<typename Operation::Item> work;
     work.reserve(wanted.size());
     for (const std::uint32_t v : wanted) work.push_back({VertexId(v), 0});
     PassOptions pass;
-    pass.cutoff = 8;  // nearly every proposal is live, and claims two stars and more
+    pass.cutoff = 4;
     pass.reverse = options_.reverse;
     const PassReport done = run_pass(mesh_, operation, std::move(work), pass, progress_);
 

@@ -29,7 +29,7 @@ struct LocalOperatorReport {
   std::uint64_t no_gain = 0;    // of them found no way that lowers the energy
   std::uint64_t tried = 0;
   std::uint64_t won = 0;
-  std::uint64_t invalid = 0;  // rejected: a corner that does not turn left, after smoothing
+  std::uint64_t invalid = 0;  // rejected: a face would not be valid, after smoothing
   std::uint64_t poor = 0;     // rejected: valid, but too bad
   double seconds = 0;
 };

@@ -102,7 +102,7 @@ Verdict LocalAttempt<Model>::judge(const Mesh& mesh, const Rules& rules, const Q
   double worst = around;
   for (const FaceId f : changed_.old) worst = std::min(worst, signed_scaled_jacobian(mesh, *model_, f));
   const bool as_good = worst >= std::min(rules.floor, before.worst);
-  if (rules.mends && as_good && worst <= 0)
+  if (as_good && worst <= 0)
     return quality_of(mesh, after_.faces()).invalid <= before.invalid ? Verdict::kWon : Verdict::kInvalid;
   if (!(worst > 0)) return Verdict::kInvalid;
   return as_good ? Verdict::kWon : Verdict::kPoor;

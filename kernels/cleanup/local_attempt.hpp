@@ -18,7 +18,7 @@ namespace quarry {
 
 enum class Verdict {
   kWon,
-  kInvalid,  // a corner did not turn left
+  kInvalid,  // a face was not valid that had been, or worse than the worst before
   kPoor,     // valid, but worse than before and than the floor
 };
 
@@ -47,11 +47,9 @@ template <GeometryModel Model>
 class LocalAttempt {
  public:
   struct Rules {
-    // A valid change stays if the worst face around is at least as good as this, or as the worst was before.
+    // A change stays if the worst face around is at least as good as this afterwards, or as the worst was
+    // before, and no more faces are invalid: where all were valid, all are.
     double floor = 0.3;
-    // The change is there to mend faces that are not valid: it stays where no more of them are left and the
-    // worst is no worse.
-    bool mends = false;
     LocalShapeOptions shape;
   };
 

@@ -34,9 +34,7 @@ class LocalOperation {
   using Rules = typename LocalAttempt<Model>::Rules;
 
   LocalOperation(const Model& model, const LocalTags& tags, const Rules& rules, std::uint32_t most_ways)
-      : model_(model), tags_(tags), rules_(rules), most_ways_(most_ways) {
-    rules_.mends = Operator::kMends;
-  }
+      : model_(model), tags_(tags), rules_(rules), most_ways_(most_ways) {}
 
   [[nodiscard]] bool wants(const Mesh& mesh, VertexId v) const {
     return mesh.alive(v) && Operator::wants(LocalView{mesh, tags_}, v);

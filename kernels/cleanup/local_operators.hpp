@@ -7,7 +7,9 @@
 //
 // An operator is a struct with
 //   kName, kNewVertices, kNewFaces    how many entities it makes
-//   kMends                            it is there to remove faces that cannot be valid: the energy may rise
+//   kMends                            it is there to remove bad faces, only where there is one: the energy
+//   may
+//                                     rise
 //   Plan                              one way to do it
 //   wants(view, v)                    worth a look at v
 //   find(view, v, skip, plan)         the best way at v after `skip` better ones; false if there is none

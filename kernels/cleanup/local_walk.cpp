@@ -6,12 +6,14 @@ bool PairWalk::wants(const LocalView& view, VertexId v) { return view.excess(v) 
 
 bool PairWalk::find(const LocalView& view, VertexId v, std::uint32_t skip, Plan& plan) {
   BestOf<Plan> best(skip);
-  // The first length that gains ends the search along a strip: a longer one moves more faces for no more.
+  // A strip is looked along only from an end that gains by itself: one end must, and each end is the
+  // beginning for a vertex there. The first length that gains ends the search: a longer one moves more faces
+  // for no more.
   const auto offer = [&](SideId rung, bool mirrored) {
     Strip strip;
     if (!strip.begin(view, rung) || !strip.extend(view)) return;
     const int start = strip.gain_at_start(view, mirrored);
-    if (start < 0) return;
+    if (start <= 0) return;
     while (strip.extend(view)) {
       const int gain = start + strip.gain_at_end(view, mirrored);
       if (gain <= 0 || !strip.can_shear(view, mirrored)) continue;
