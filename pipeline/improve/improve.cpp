@@ -1,0 +1,265 @@
+#include "pipeline/improve/improve.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "engine/base/error.hpp"
+#include "engine/mesh/compact.hpp"
+#include "engine/mesh/validate.hpp"
+#include "engine/parallel/parallel.hpp"
+#include "io/mesh/mesh_format.hpp"
+#include "kernels/field/size_field.hpp"
+#include "kernels/smooth/optimise.hpp"
+#include "kernels/smooth/optimise_shape.hpp"
+#include "pipeline/improve/tagged_lines.hpp"
+
+namespace quarry {
+namespace {
+
+// At most; they end when nothing moves any more.
+constexpr int kUntanglingSweeps = 100;
+constexpr int kShapeSweeps = 90;
+constexpr int kCornerSweeps = 20;
+// Clean-up keeps to the smallest scaled Jacobian that it finds up to this: more would leave it nothing to do.
+constexpr double kHighestFloor = 0.6;
+
+void require_usable(const ImproveOptions& options) {
+  if (options.size && !(*options.size > 0 && std::isfinite(*options.size)))
+    throw Error(ErrorKind::kUsage,
+                fmt::format("--size is {}: it must be a length above 0 in input units", *options.size));
+  if (options.tolerance && !(*options.tolerance >= 0 && std::isfinite(*options.tolerance)))
+    throw Error(ErrorKind::kUsage,
+                fmt::format("--tolerance is {}: it must be a length of 0 or more in input units",
+                            *options.tolerance));
+}
+
+void require_planar(const std::string& path, const ReadCells& cells) {
+  const auto off = std::find_if(cells.z.begin(), cells.z.end(), [](double z) { return z != 0; });
+  if (off == cells.z.end()) return;
+  const auto i = static_cast<std::size_t>(off - cells.z.begin());
+  throw Error(
+      ErrorKind::kGeometry,
+      fmt::format("{}: point {} at ({:.10g}, {:.10g}, {:.10g}) does not lie in the plane z = 0: surfaces "
+                  "cannot be improved yet",
+                  path, i, cells.x[i], cells.y[i], cells.z[i]));
+}
+
+// Faces with a corner that does not turn left.
+std::vector<std::uint32_t> invalid_faces(const Mesh& mesh) {
+  return parallel::filter_indices(mesh.face_slots(), [&](std::size_t i) {
+    const FaceId f(i);
+    return mesh.alive(f) && !all_corners_turn_left(mesh, f);
+  });
+}
+
+std::string place_of(const Mesh& mesh, FaceId face) {
+  const Vec2 p = mesh.point(mesh.corner(face, 0));
+  return format_point(p.x, p.y);
+}
+
+// A vertex that rounds within the digits of the file still lies on its line.
+double tolerance_of(const ImproveOptions& options, const Box2& box) {
+  if (options.tolerance) return *options.tolerance;
+  const double largest =
+      std::max({std::abs(box.low.x), std::abs(box.low.y), std::abs(box.high.x), std::abs(box.high.y)});
+  return std::max(1e-9 * box.longer_side(), 4 * std::numeric_limits<double>::epsilon() * largest);
+}
+
+using Lengths = std::map<std::int32_t, double>;
+
+// The length that the edges of each number have together.
+Lengths lengths_of_pieces(const TaggedLines& tagged, const Mesh& mesh) {
+  Lengths lengths;
+  const NodedLines& lines = tagged.lines;
+  for (const PieceId p : IdRange<PieceId>(lines.pieces.size()))
+    for (const std::int32_t number : tagged.numbers_of(p))
+      lengths[number] += distance(lines.nodes[lines.pieces[p].from], lines.nodes[lines.pieces[p].to]);
+  const auto constraint = mesh.find_tag<EdgeId, std::int32_t>("constraint");
+  for (const EdgeId e : mesh.edges()) {
+    const auto [a, b] = mesh.edge_ends(e);
+    lengths[constraint[e]] += distance(mesh.point(a), mesh.point(b));
+  }
+  return lengths;
+}
+
+// The boundary without a number counts as no line.
+Lengths lengths_of_edges(const Mesh& mesh) {
+  Lengths lengths;
+  const auto constraint = mesh.find_tag<EdgeId, std::int32_t>("constraint");
+  const auto kind = mesh.find_tag<EdgeId, std::int32_t>("kind");
+  for (const EdgeId e : mesh.edges()) {
+    const auto [a, b] = mesh.edge_ends(e);
+    if (constraint[e] >= 0 || kind[e] != kOuterBoundary)
+      lengths[constraint[e]] += distance(mesh.point(a), mesh.point(b));
+  }
+  return lengths;
+}
+
+class ImproveJob {
+ public:
+  ImproveJob(const ImproveOptions& options, const Progress& progress)
+      : options_(options), progress_(progress), clock_(progress) {}
+
+  ImproveResult run() {
+    clock_.start("reading");
+    read();
+    clock_.start("binding");
+    lines_ = bind_lines(result_.mesh, tagged_, result_.tolerance);
+    lengths_ = lengths_of_pieces(lines_, result_.mesh);
+    if (lines_.apart > 0)
+      result_.notes.push_back(
+          fmt::format("{}: {} tagged edges are no side of a face: they are kept, and their ends stay fixed",
+                      options_.input, lines_.apart));
+    result_.nodes = lines_.lines.nodes.size();
+    result_.pieces = lines_.lines.pieces.size();
+    clock_.start("untangling");
+    untangle();
+    clock_.start("clean-up");
+    clean_up_quads();
+    clock_.start("smoothing");
+    smooth();
+    clock_.start("finishing");
+    finish();
+    clock_.stop();
+    result_.times = clock_.times();
+    return std::move(result_);
+  }
+
+ private:
+  void read() {
+    ReadCells cells = read_cells(options_.input);
+    require_planar(options_.input, cells);
+    if (cells.faces.empty())
+      throw Error(ErrorKind::kGeometry, fmt::format("{}: the mesh has no face to improve", options_.input));
+    result_.turned = turn_counterclockwise(options_.input, cells);
+    if (result_.turned > 0)
+      result_.notes.push_back(fmt::format("{}: {} of {} faces were clockwise and are turned", options_.input,
+                                          result_.turned, cells.faces.size()));
+    result_.names = cells.names;
+    result_.before = summarize_quality(make_mesh(options_.input, cells));
+    make_bare_mesh(std::move(cells));
+    result_.tolerance = tolerance_of(options_, result_.mesh.box());
+    const std::vector<std::uint32_t> invalid = invalid_faces(result_.mesh);
+    result_.invalid = invalid.size();
+    if (!invalid.empty())
+      result_.notes.push_back(fmt::format("{}: {} faces are inverted, concave or flat, the first at {}",
+                                          options_.input, invalid.size(),
+                                          place_of(result_.mesh, FaceId(invalid.front()))));
+  }
+
+  // Tagged edges are plain pairs of vertices while the mesh is worked on.
+  void make_bare_mesh(ReadCells cells) {
+    const auto edges = std::exchange(cells.edges, {});
+    const auto numbers = std::exchange(cells.constraints, {});
+    cells.kinds.clear();
+    Mesh& mesh = result_.mesh;
+    mesh = make_mesh(options_.input, std::move(cells));
+    mesh.remove_tag<EdgeId>("constraint");
+    mesh.remove_tag<EdgeId>("kind");
+    const std::size_t slots = mesh.vertex_slots();
+    const Renumbering renumbering = compact(mesh, EntityOrder::kHilbert);
+    std::vector<VertexId> vertex(slots);
+    for (std::size_t i = 0; i < renumbering.old_vertex.size(); ++i)
+      vertex[renumbering.old_vertex[i]] = VertexId(i);
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      const TaggedEdge edge{vertex[edges[i].first.value()], vertex[edges[i].second.value()], numbers[i]};
+      if (edge.a.valid() && edge.b.valid() && edge.a != edge.b)
+        tagged_.push_back(edge);
+      else
+        ++lost_;
+    }
+    result_.tagged_edges = tagged_.size();
+    if (lost_ > 0)
+      result_.notes.push_back(fmt::format("{}: {} lines join points that belong to no face, and are left out",
+                                          options_.input, lost_));
+  }
+
+  // Clean-up compares shapes, which says little about faces that are turned over.
+  void untangle() {
+    if (result_.invalid == 0) return;
+    ShapeOptions shape;
+    shape.sweeps = kUntanglingSweeps;
+    result_.untangling = optimise_shape(result_.mesh, lines_.lines, shape, progress_);
+  }
+
+  void clean_up_quads() {
+    CleanUpOptions options;
+    options.level = options_.cleanup;
+    // A mesh without bad faces gets none for the sake of its valences.
+    const double floor =
+        std::clamp(result_.before.all.scaled_jacobian.min, options.patches.least_jacobian, kHighestFloor);
+    options.local.floor = floor;
+    options.patches.least_jacobian = floor;
+    clean_up(result_.mesh, lines_.lines, options, result_.clean_up, progress_);
+  }
+
+  void smooth() {
+    ShapeOptions shape;
+    shape.sweeps = kShapeSweeps;
+    std::optional<UniformSize> size;
+    if (options_.size) shape.size = &size.emplace(*options_.size);
+    result_.smoothing = optimise_shape(result_.mesh, lines_.lines, shape, progress_);
+    OptimiseOptions worst;
+    worst.sweeps = kCornerSweeps;
+    worst.target = 0.9;
+    result_.corners = optimise_corners(result_.mesh, lines_.lines, worst, progress_);
+  }
+
+  void finish() {
+    Mesh& mesh = result_.mesh;
+    restore_groups(mesh, lines_);
+    compact(mesh, EntityOrder::kHilbert);
+    require_valid();
+    require_lines_kept();
+  }
+
+  void require_valid() const {
+    const std::vector<std::uint32_t> invalid = invalid_faces(result_.mesh);
+    if (!invalid.empty())
+      throw Error(
+          ErrorKind::kGeometry,
+          fmt::format("{}: {} faces cannot be made valid within the lines around them, the first at {}; "
+                      "nothing was written",
+                      options_.input, invalid.size(), place_of(result_.mesh, FaceId(invalid.front()))));
+    const std::string failure = validate(result_.mesh, GeometryCheck::kPlanarCorners);
+    if (!failure.empty()) throw Error(ErrorKind::kBug, "the improved mesh is not valid: " + failure);
+  }
+
+  // Each number's edges cover what they covered before.
+  void require_lines_kept() const {
+    const Lengths now = lengths_of_edges(result_.mesh);
+    const auto edges = static_cast<double>(result_.mesh.edge_slots());
+    const double slack = 1e-6 * result_.mesh.box().longer_side() + 2 * result_.tolerance * edges;
+    for (const auto& [number, length] : lengths_) {
+      const auto found = now.find(number);
+      const double kept = found == now.end() ? 0 : found->second;
+      if (std::abs(kept - length) > slack)
+        throw Error(ErrorKind::kBug,
+                    fmt::format("tagged edges {} had a length of {} and have {} now", number, length, kept));
+    }
+  }
+
+  const ImproveOptions& options_;
+  const Progress& progress_;
+  StageClock clock_;
+  ImproveResult result_;
+  std::vector<TaggedEdge> tagged_;
+  TaggedLines lines_;
+  Lengths lengths_;
+  std::size_t lost_ = 0;
+};
+
+}  // namespace
+
+ImproveResult improve_mesh(const ImproveOptions& options, const Progress& progress) {
+  require_usable(options);
+  return ImproveJob(options, progress).run();
+}
+
+}  // namespace quarry

@@ -1,0 +1,56 @@
+// The improve job: a finished mesh of any tool in, the same domain with better faces out. Edges that bear a
+// tag, interfaces between regions and the boundary stay where they are; vertices on them slide along straight
+// stretches, and corners, ends and junctions stay fixed. Nothing is written here. Meshes of the plane only.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/base/progress.hpp"
+#include "engine/mesh/mesh.hpp"
+#include "io/mesh/mesh_file.hpp"
+#include "kernels/cleanup/clean_up.hpp"
+#include "kernels/quality/summary.hpp"
+#include "kernels/smooth/sweep.hpp"
+#include "pipeline/section/stages.hpp"
+
+namespace quarry {
+
+struct ImproveOptions {
+  std::string input;
+  CleanUpLevel cleanup = CleanUpLevel::kFull;
+  // Wanted edge of the elements in input units; unset: sizes stay as they are.
+  std::optional<double> size = {};
+  // How far a vertex of a tagged edge or of the boundary may lie from the straight stretch along which it
+  // slides, in input units; unset: 1e-9 of the longer side of the box, so that only what is straight as it
+  // was written counts as straight.
+  std::optional<double> tolerance = {};
+};
+
+struct ImproveResult {
+  // Faces with the tag "region"; edge entities with the tags "constraint" and "kind": those of the input and
+  // the boundary. Compact, in Hilbert order.
+  Mesh mesh;
+  GroupNames names;  // of the groups of the input
+  QualitySummary before;
+  double tolerance = 0;          // as used
+  std::size_t turned = 0;        // faces that were clockwise
+  std::size_t invalid = 0;       // faces that had a corner which does not turn left
+  std::size_t tagged_edges = 0;  // edges of the input that bear a tag
+  std::size_t nodes = 0;         // vertices that stay fixed
+  std::size_t pieces = 0;        // straight stretches
+  CleanUpReport clean_up;
+  SweepReport untangling, smoothing, corners;
+  std::vector<std::string> notes;  // one line each: what the user should know
+  std::vector<StageTime> times;
+};
+
+// Throws Error(kInput) for a file that cannot be read or makes no mesh, Error(kUsage) for options that make
+// no sense, Error(kGeometry) for a mesh in space, one without faces, and one that stays invalid, with the
+// place.
+[[nodiscard]] ImproveResult improve_mesh(const ImproveOptions& options, const Progress& progress);
+
+}  // namespace quarry

@@ -1,0 +1,44 @@
+#include "pipeline/improve/improve_report.hpp"
+
+#include <cstdint>
+#include <utility>
+
+#include "pipeline/report/region_summary.hpp"
+
+namespace quarry {
+namespace {
+
+std::int64_t whole(std::size_t count) { return static_cast<std::int64_t>(count); }
+
+}  // namespace
+
+std::vector<ReportItem> resolved_options(const ImproveOptions& options, const ImproveResult& result) {
+  std::vector<ReportItem> items = {{"cleanup", std::string(name_of(options.cleanup))},
+                                   {"tolerance", result.tolerance}};
+  if (options.size) items.push_back({"size", *options.size});
+  return items;
+}
+
+JobReport report_improvement(const ImproveOptions& options, const ImproveResult& result,
+                             QualitySummary quality) {
+  JobReport report;
+  report.command = "improve";
+  report.options = resolved_options(options, result);
+  report.input_files = {options.input};
+  report.outline = "boundary of the mesh";
+  report.regions = summarize_regions(result.mesh);
+  report.counts = {
+      {"vertices", whole(quality.vertices)},          {"triangles", whole(quality.triangles.faces)},
+      {"quads", whole(quality.quads.faces)},          {"line_edges", whole(quality.edges)},
+      {"tagged_edges", whole(result.tagged_edges)},   {"fixed_nodes", whole(result.nodes)},
+      {"straight_pieces", whole(result.pieces)},      {"turned_faces", whole(result.turned)},
+      {"invalid_faces_before", whole(result.invalid)}};
+  report.quality = std::move(quality);
+  report.quality_before = result.before;
+  if (options.cleanup != CleanUpLevel::kNone) report.clean_up = result.clean_up;
+  report.notes = result.notes;
+  for (const StageTime& stage : result.times) report.times.emplace_back(stage.name, stage.seconds);
+  return report;
+}
+
+}  // namespace quarry

@@ -1,0 +1,19 @@
+// What an improve job tells about itself.
+#pragma once
+
+#include <vector>
+
+#include "pipeline/improve/improve.hpp"
+#include "pipeline/report/job_report.hpp"
+
+namespace quarry {
+
+// The options that change the mesh, with the defaults that were filled in.
+[[nodiscard]] std::vector<ReportItem> resolved_options(const ImproveOptions& options,
+                                                       const ImproveResult& result);
+
+// Everything but version, threads and hash, which the caller knows. quality: of result.mesh.
+[[nodiscard]] JobReport report_improvement(const ImproveOptions& options, const ImproveResult& result,
+                                           QualitySummary quality);
+
+}  // namespace quarry

@@ -1,0 +1,46 @@
+#include "pipeline/report/input_hash.hpp"
+
+#include <array>
+#include <cstdint>
+#include <fstream>
+
+#include <fmt/format.h>
+
+#include "engine/base/error.hpp"
+
+namespace quarry {
+namespace {
+
+// 64-bit FNV-1a (Fowler, Noll & Vo; RFC 9923).
+class Fnv1a {
+ public:
+  void add(unsigned char byte) { value_ = (value_ ^ byte) * 0x100000001b3ULL; }
+  void add_length(std::uint64_t length) {
+    for (int shift = 0; shift < 64; shift += 8) add(static_cast<unsigned char>(length >> shift));
+  }
+  [[nodiscard]] std::uint64_t value() const { return value_; }
+
+ private:
+  std::uint64_t value_ = 0xcbf29ce484222325ULL;
+};
+
+void add_file(Fnv1a& hash, const std::string& path) {
+  std::ifstream file(path, std::ios::binary | std::ios::ate);
+  if (!file) throw Error(ErrorKind::kInput, fmt::format("{}: cannot be read", path));
+  hash.add_length(static_cast<std::uint64_t>(file.tellg()));
+  file.seekg(0);
+  std::array<char, 1 << 16> block;
+  while (file.read(block.data(), block.size()) || file.gcount() > 0)
+    for (std::streamsize i = 0; i < file.gcount(); ++i)
+      hash.add(static_cast<unsigned char>(block[static_cast<std::size_t>(i)]));
+}
+
+}  // namespace
+
+std::string hash_files(const std::vector<std::string>& paths) {
+  Fnv1a hash;
+  for (const std::string& path : paths) add_file(hash, path);
+  return fmt::format("{:016x}", hash.value());
+}
+
+}  // namespace quarry
