@@ -102,10 +102,11 @@ struct Lattice {
   std::vector<Vec2> points;
   std::vector<std::vector<std::uint32_t>> faces;
 
-  Lattice(std::uint32_t columns_, std::uint32_t rows_, const std::vector<std::uint32_t>& left_out = {})
-      : columns(columns_), rows(rows_) {
-    for (std::uint32_t i = 0; i < (columns + 1) * (rows + 1); ++i)
-      points.push_back({static_cast<double>(i % (columns + 1)), static_cast<double>(i / (columns + 1))});
+  Lattice(std::uint32_t wide, std::uint32_t high, const std::vector<std::uint32_t>& left_out = {})
+      : columns(wide), rows(high) {
+    for (std::uint32_t row = 0; row <= rows; ++row)
+      for (std::uint32_t column = 0; column <= columns; ++column)
+        points.push_back({static_cast<double>(column), static_cast<double>(row)});
     for (std::uint32_t i = 0; i < columns * rows; ++i)
       if (std::find(left_out.begin(), left_out.end(), i) == left_out.end()) faces.push_back(cell(i));
   }
