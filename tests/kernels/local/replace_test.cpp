@@ -34,8 +34,12 @@ Trial make_trial(std::uint64_t seed, std::uint32_t cells = 12) {
   std::vector<Vec2> points;
   std::vector<std::vector<std::uint32_t>> faces;
   const auto shake = [&](std::uint64_t i) { return 0.4 * (uniform01(seed, 1'000'000 + i) - 0.5); };
-  for (std::uint32_t i = 0; i < (cells + 1) * (cells + 1); ++i)
-    points.push_back({i % (cells + 1) + shake(2 * i), i / (cells + 1) + shake(2 * i + 1)});
+  for (std::uint32_t row = 0; row <= cells; ++row) {
+    for (std::uint32_t column = 0; column <= cells; ++column) {
+      const std::uint64_t i = points.size();
+      points.push_back({column + shake(2 * i), row + shake(2 * i + 1)});
+    }
+  }
   for (std::uint32_t row = 0; row < cells; ++row) {
     for (std::uint32_t column = 0; column < cells; ++column) {
       const std::uint32_t a = row * (cells + 1) + column;
