@@ -77,7 +77,7 @@ class Bench:
         out, report = self.path(name, division, tag + ".vtu"), self.path(name, division, tag + ".json")
         command = [self.quarry, "mesh", self.lines(name), *(self.boundary(name) if boundary is None else boundary),
                    "--size", f"{self.size(name, division):.12g}", "-o", out, "--report", report,
-                   "--threads", str(threads), "--quiet", *extra]
+                   "--cleanup", "none", "--threads", str(threads), "--quiet", *extra]
         done = run(command, self.folder, limit)
         say(f"{name} 1/{division} {tag}: {done.wall:.2f} s" + ("" if done.code == 0 else f", {done.why}"))
         return done, out, report

@@ -11,7 +11,8 @@ void add_clean_command(CLI::App& program);
 void add_quality_command(CLI::App& program);
 void add_convert_command(CLI::App& program);
 void add_picture_command(CLI::App& program);
-// Commands whose place is kept: generate, batch, improve, adapt.
+void add_improve_command(CLI::App& program);
+// Commands whose place is kept: generate, batch, adapt.
 void add_planned_commands(CLI::App& program);
 
 }  // namespace quarry::cli

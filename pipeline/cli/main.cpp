@@ -30,6 +30,7 @@ void add_commands(CLI::App& program) {
   program.get_formatter()->column_width(34);
   add_mesh_command(program);
   add_clean_command(program);
+  add_improve_command(program);
   add_quality_command(program);
   add_convert_command(program);
   add_picture_command(program);

@@ -42,7 +42,8 @@ void add_shape_options(CLI::App& command, MeshArguments& arguments) {
          "deferred (default): lines are worked into a start mesh; the others are not built yet")
       ->check(one_of({"deferred", "front", "blocks"}));
   option("--start", arguments.start, "4-8|delaunay|FILE",
-         "the mesh that the lines are worked into; default 4-8: a lattice of right triangles");
+         "the mesh that the lines are worked into; default 4-8: a lattice of right triangles, or delaunay "
+         "with --quads matching");
   option("--orient", arguments.orient, "auto|DEGREES",
          "turns the start mesh counter-clockwise; auto: along the direction that the lines prefer; default "
          "auto, "
@@ -55,11 +56,14 @@ void add_shape_options(CLI::App& command, MeshArguments& arguments) {
          "--preset paper")
       ->check(CLI::Range(0, 100));
   option("--quads", arguments.quads, "cluster|matching",
-         "how triangles become quadrilaterals; default cluster; matching is not built yet")
+         "how triangles become quadrilaterals: cluster halves every edge; matching keeps the edges of the "
+         "triangles; default cluster")
       ->check(one_of({"cluster", "matching"}));
-  option("--cleanup", arguments.cleanup, "none|local|full",
-         "topological clean-up; default none; the others are not built yet")
-      ->check(one_of({"none", "local", "full"}));
+  option(
+      "--cleanup", arguments.cleanup, "none|local|full|fewest",
+      "topological clean-up: small changes, and patches of up to 512 faces (full) or of any size (fewest); "
+      "default full, or none with --preset paper")
+      ->check(one_of({"none", "local", "full", "fewest"}));
   command
       .add_flag(
           "--keep-boundary", arguments.keep_boundary,
@@ -103,8 +107,6 @@ double parse_degrees(const std::string& text) {
 void refuse_what_is_not_built(const MeshArguments& arguments) {
   if (arguments.elements == "mixed") fail_not_built("--elements mixed", "use quad or tri");
   if (arguments.method != "deferred") fail_not_built("--method " + arguments.method, "use deferred");
-  if (arguments.quads != "cluster") fail_not_built("--quads " + arguments.quads, "use cluster");
-  if (arguments.cleanup != "none") fail_not_built("--cleanup " + arguments.cleanup, "use none");
   if (arguments.keep_boundary) fail_not_built("--keep-boundary");
   if (!arguments.size_field.empty()) fail_not_built("--size-field", "use --size or --count");
 }
@@ -114,7 +116,9 @@ void fill_start(MeshArguments& arguments) {
   section.orient_auto = arguments.orient == "auto";
   if (!section.orient_auto && !arguments.orient.empty())
     section.orient_degrees = parse_degrees(arguments.orient);
-  if (arguments.start == "4-8") return;
+  // Right triangles merge into squares across one side alone: matching wants a choice.
+  if (arguments.start.empty() && section.quads == QuadMethod::kMatching) section.start = StartMesh::kDelaunay;
+  if (arguments.start.empty() || arguments.start == "4-8") return;
   section.start = arguments.start == "delaunay" ? StartMesh::kDelaunay : StartMesh::kFile;
   if (section.start == StartMesh::kFile) section.start_file = arguments.start;
 }
@@ -182,7 +186,9 @@ void fill_section(MeshArguments& arguments) {
   refuse_what_is_not_built(arguments);
   section.elements = arguments.elements == "tri" ? Elements::kTriangle : Elements::kQuad;
   section.preset = arguments.preset == "paper" ? Preset::kPaper : Preset::kDefault;
+  section.quads = arguments.quads == "matching" ? QuadMethod::kMatching : QuadMethod::kCluster;
   fill_start(arguments);
+  if (!arguments.cleanup.empty()) section.cleanup = clean_up_level_of(arguments.cleanup);
 }
 
 }  // namespace quarry::cli

@@ -21,8 +21,8 @@ struct MeshArguments {
   bool compress = false;
 
   // As written; fill_section() reads them.
-  std::string elements = "quad", method = "deferred", start = "4-8", orient, quads = "cluster",
-              cleanup = "none", preset = "default", size_field;
+  std::string elements = "quad", method = "deferred", start, orient, quads = "cluster", cleanup,
+              preset = "default", size_field;
   bool keep_boundary = false;
 };
 

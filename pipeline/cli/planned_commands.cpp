@@ -8,10 +8,9 @@
 namespace quarry::cli {
 
 void add_planned_commands(CLI::App& program) {
-  constexpr std::array<std::pair<const char*, const char*>, 4> kPlanned = {{
+  constexpr std::array<std::pair<const char*, const char*>, 3> kPlanned = {{
       {"generate", "seeded synthetic models (not built yet)"},
       {"batch", "many models on every core (not built yet)"},
-      {"improve", "topological clean-up and shape optimisation of a mesh (not built yet)"},
       {"adapt", "remesh to an error estimate (not built yet)"},
   }};
   for (const auto& [name, help] : kPlanned) {

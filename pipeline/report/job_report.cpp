@@ -6,6 +6,7 @@
 #include <sys/resource.h>
 
 #include "io/atomic_file.hpp"
+#include "pipeline/report/clean_up_json.hpp"
 
 namespace quarry {
 namespace {
@@ -124,6 +125,7 @@ Json times_json(const JobReport& report) {
     total += seconds;
   }
   times["total"] = total;
+  if (report.clean_up) times["of_cleanup"] = clean_up_times_json(*report.clean_up);
   return times;
 }
 
@@ -147,6 +149,7 @@ std::string report_text(const JobReport& report) {
   json["constraints"] = constraints_json(report);
   json["regions"] = regions_json(report);
   json["passes"] = passes_json(report);
+  if (report.clean_up) json["cleanup"] = clean_up_json(*report.clean_up);
   json["notes"] = report.notes;
   json["times"] = times_json(report);
   json["peak_memory_bytes"] = peak_memory_bytes();

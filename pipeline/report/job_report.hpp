@@ -3,12 +3,14 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
 #include "engine/operation/pass.hpp"
+#include "kernels/cleanup/clean_up.hpp"
 #include "kernels/linework/clean_lines.hpp"
 #include "kernels/quality/summary.hpp"
 #include "pipeline/report/region_summary.hpp"
@@ -40,7 +42,9 @@ struct JobReport {
   std::vector<ReportItem> counts;
   std::vector<RegionSummary> regions;
   QualitySummary quality;
+  std::optional<QualitySummary> quality_before;  // of the input, where that is a mesh
   std::vector<PassReport> passes;
+  std::optional<CleanUpReport> clean_up;  // of jobs that clean up
   std::vector<std::pair<std::string, double>> times;  // stage, seconds
   std::vector<std::string> notes;                     // one line each: what the user should know
 };

@@ -30,6 +30,12 @@ double positive_or_default(const std::optional<double>& value, double fallback, 
 
 }  // namespace
 
+CleanUpLevel clean_up_level(const SectionOptions& options) {
+  if (options.elements == Elements::kTriangle) return CleanUpLevel::kNone;
+  return options.cleanup.value_or(options.preset == Preset::kPaper ? CleanUpLevel::kNone
+                                                                   : CleanUpLevel::kFull);
+}
+
 int front_steps(const SectionOptions& options) {
   if (options.elements != Elements::kQuad) return 0;
   const int of_preset = options.preset == Preset::kPaper ? kPublishedFrontSteps : 0;

@@ -8,12 +8,13 @@
 #include <vector>
 
 #include "engine/geometry/box.hpp"
+#include "kernels/cleanup/clean_up.hpp"
 
 namespace quarry {
 
 enum class Elements { kQuad, kTriangle };
 enum class StartMesh { kCrisscross, kDelaunay, kFile };
-enum class QuadMethod { kCluster };
+enum class QuadMethod { kCluster, kMatching };
 enum class Preset { kDefault, kPaper };
 
 struct SectionOptions {
@@ -36,6 +37,9 @@ struct SectionOptions {
   // Steps that alignment fronts take away from the lines before triangles are paired; unset: what the preset
   // says (none, or 4 as published).
   std::optional<int> fronts;
+  QuadMethod quads = QuadMethod::kCluster;
+  // Topological clean-up of quads; unset: full, or none with the published procedure.
+  std::optional<CleanUpLevel> cleanup;
   std::uint64_t seed = 0;
   // Told before meshing begins: about how many elements and how many bytes of memory it will take.
   std::function<void(double elements, double bytes)> on_prediction;
@@ -55,6 +59,9 @@ struct ResolvedLengths {
 
 // Steps of alignment fronts that the options and their preset ask for.
 [[nodiscard]] int front_steps(const SectionOptions& options);
+
+// The clean-up that the options and their preset ask for; none for triangles.
+[[nodiscard]] CleanUpLevel clean_up_level(const SectionOptions& options);
 
 // About how many elements of the wanted size a box takes.
 [[nodiscard]] double predict_elements(const SectionOptions& options, const Box2& box, double size);

@@ -54,9 +54,18 @@ double area_of(const Outline& outline) {
   return area;
 }
 
-// Spacing of the triangles that become elements of the wanted size: quads are halved triangles' edges.
+bool by_matching(const SectionOptions& options) {
+  return options.elements == Elements::kQuad && options.quads == QuadMethod::kMatching;
+}
+
+// Spacing of the triangles that become elements of the wanted size. Clusters halve the triangles' edges.
+// Matching keeps them: a quad has the area of two triangles, which fall short of a square if they are
+// equilateral.
 double spacing_of(const SectionOptions& options, double size) {
-  return options.elements == Elements::kQuad ? 2 * size : size;
+  constexpr double kSideOfHalfASquare = 1.0745699318235419;
+  if (options.elements != Elements::kQuad) return size;
+  if (!by_matching(options)) return 2 * size;
+  return options.start == StartMesh::kDelaunay ? kSideOfHalfASquare * size : size;
 }
 
 // The hull of the start mesh stays where it is.
@@ -71,17 +80,35 @@ void insert(const SectionOptions& options, SectionResult& result, const Progress
   const double spacing = spacing_of(options, result.lengths.size);
   DeferredOptions deferred = options.preset == Preset::kPaper ? paper_options(spacing) : DeferredOptions();
   deferred.spacing = spacing;
-  // A triangle becomes two or three quads; the start mesh reaches beyond the outline.
-  const double triangles =
-      options.elements == Elements::kQuad ? 0.5 * options.max_elements : options.max_elements;
-  deferred.max_faces = result.mesh.face_slots() + static_cast<std::size_t>(triangles);
+  // A triangle becomes two or three quads, or half of one; the start mesh reaches beyond the outline.
+  const double share = options.elements != Elements::kQuad ? 1.0 : by_matching(options) ? 2.0 : 0.5;
+  deferred.max_faces = result.mesh.face_slots() + static_cast<std::size_t>(share * options.max_elements);
   (void)insert_lines(result.mesh, result.cleaned.lines, deferred, result.deferred, progress);
 }
 
+void match_to_quads(const SectionOptions& options, SectionResult& result, const Progress& progress) {
+  MatchingOptions matching;
+  matching.searching.seed = options.seed;
+  // What is inverted still may be mended by the clean-up.
+  matching.require_valid = clean_up_level(options) == CleanUpLevel::kNone;
+  result.mesh = make_quads_by_matching(std::move(result.mesh), result.cleaned.lines, matching,
+                                       result.matching, progress);
+}
+
 void convert_to_quads(const SectionOptions& options, SectionResult& result, const Progress& progress) {
+  if (by_matching(options)) {
+    match_to_quads(options, result, progress);
+    return;
+  }
   QuadOptions quads = options.preset == Preset::kPaper ? paper_quad_options() : QuadOptions();
   quads.mixed.fronts.steps = front_steps(options);
   result.mesh = make_quads(std::move(result.mesh), result.cleaned.lines, quads, result.quads, progress);
+}
+
+void clean_up_quads(const SectionOptions& options, SectionResult& result, const Progress& progress) {
+  CleanUpOptions clean_up_options;
+  clean_up_options.level = clean_up_level(options);
+  clean_up(result.mesh, result.cleaned.lines, clean_up_options, result.clean_up, progress);
 }
 
 // Nothing leaves the engine that is not valid on the doubles as they will be written.
@@ -145,6 +172,9 @@ SectionResult mesh_section(const SectionOptions& options, const Progress& progre
   if (options.elements == Elements::kQuad) {
     clock.start("quads");
     convert_to_quads(options, result, progress);
+    clock.start("clean-up");
+    clean_up_quads(options, result, progress);
+    if (by_matching(options)) require_convex_quads(result.mesh);
   } else {
     clock.start("smoothing");
     flip_to_better(result.mesh, progress);

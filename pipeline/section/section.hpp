@@ -5,9 +5,11 @@
 #include "engine/base/progress.hpp"
 #include "engine/geometry/line_set.hpp"
 #include "engine/mesh/mesh.hpp"
+#include "kernels/cleanup/clean_up.hpp"
 #include "kernels/cluster/quads.hpp"
 #include "kernels/deferred/options.hpp"
 #include "kernels/linework/clean_lines.hpp"
+#include "kernels/matching/matching.hpp"
 #include "kernels/smooth/sweep.hpp"
 #include "pipeline/section/options.hpp"
 #include "pipeline/section/stages.hpp"
@@ -25,7 +27,9 @@ struct SectionResult {
   double orient_degrees = 0;
   std::int32_t regions = 0;
   DeferredReport deferred;
-  QuadReport quads;       // of quad meshes
+  QuadReport quads;         // of quad meshes by clusters
+  MatchingReport matching;  // of quad meshes by matching
+  CleanUpReport clean_up;
   SweepReport smoothing;  // of triangle meshes
   std::vector<StageTime> times;
 };

@@ -1,14 +1,12 @@
 #include "pipeline/section/section_report.hpp"
 
-#include <array>
 #include <cstdint>
-#include <fstream>
 #include <type_traits>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "engine/base/error.hpp"
+#include "pipeline/report/input_hash.hpp"
 #include "pipeline/report/line_distance.hpp"
 #include "pipeline/report/region_summary.hpp"
 
@@ -25,30 +23,6 @@ std::string boundary_text(const SectionOptions& options) {
 std::string start_text(const SectionOptions& options) {
   if (options.start == StartMesh::kFile) return "file";
   return options.start == StartMesh::kDelaunay ? "delaunay" : "4-8";
-}
-
-// 64-bit FNV-1a (Fowler, Noll & Vo; RFC 9923).
-class Fnv1a {
- public:
-  void add(unsigned char byte) { value_ = (value_ ^ byte) * 0x100000001b3ULL; }
-  void add_length(std::uint64_t length) {
-    for (int shift = 0; shift < 64; shift += 8) add(static_cast<unsigned char>(length >> shift));
-  }
-  [[nodiscard]] std::uint64_t value() const { return value_; }
-
- private:
-  std::uint64_t value_ = 0xcbf29ce484222325ULL;
-};
-
-void add_file(Fnv1a& hash, const std::string& path) {
-  std::ifstream file(path, std::ios::binary | std::ios::ate);
-  if (!file) throw Error(ErrorKind::kInput, fmt::format("{}: cannot be read", path));
-  hash.add_length(static_cast<std::uint64_t>(file.tellg()));
-  file.seekg(0);
-  std::array<char, 1 << 16> block;
-  while (file.read(block.data(), block.size()) || file.gcount() > 0)
-    for (std::streamsize i = 0; i < file.gcount(); ++i)
-      hash.add(static_cast<unsigned char>(block[static_cast<std::size_t>(i)]));
 }
 
 std::vector<ReportItem> counts_of(const SectionResult& result, const QualitySummary& quality) {
@@ -92,8 +66,8 @@ std::vector<ReportItem> resolved_options(const SectionOptions& options, const Se
           {"orient", result.orient_degrees},
           {"preset", std::string(options.preset == Preset::kPaper ? "paper" : "default")},
           {"fronts", whole(static_cast<std::uint64_t>(front_steps(options)))},
-          {"quads", std::string("cluster")},
-          {"cleanup", std::string("none")},
+          {"quads", std::string(options.quads == QuadMethod::kMatching ? "matching" : "cluster")},
+          {"cleanup", std::string(name_of(clean_up_level(options)))},
           {"seed", whole(options.seed)}};
 }
 
@@ -114,11 +88,10 @@ std::string option_text(const std::vector<ReportItem>& options) {
 }
 
 std::string hash_inputs(const SectionOptions& options) {
-  Fnv1a hash;
-  for (const std::string& path : options.inputs) add_file(hash, path);
-  if (boundary_text(options) == "file") add_file(hash, options.boundary);
-  if (options.start == StartMesh::kFile) add_file(hash, options.start_file);
-  return fmt::format("{:016x}", hash.value());
+  std::vector<std::string> paths = options.inputs;
+  if (boundary_text(options) == "file") paths.push_back(options.boundary);
+  if (options.start == StartMesh::kFile) paths.push_back(options.start_file);
+  return hash_files(paths);
 }
 
 JobReport report_section(const SectionOptions& options, const SectionResult& result, QualitySummary quality) {
@@ -134,6 +107,7 @@ JobReport report_section(const SectionOptions& options, const SectionResult& res
   report.counts = counts_of(result, quality);
   report.quality = std::move(quality);
   report.passes = {result.deferred.nodes, result.deferred.pieces};
+  if (clean_up_level(options) != CleanUpLevel::kNone) report.clean_up = result.clean_up;
   for (const StageTime& stage : result.times) report.times.emplace_back(stage.name, stage.seconds);
   report.notes = result.cleaned.notes;
   return report;

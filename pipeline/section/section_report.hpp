@@ -16,8 +16,8 @@ namespace quarry {
 // "size=2 snap=0.1 ...": the same on one line; numbers with the fewest digits that read as the same number.
 [[nodiscard]] std::string option_text(const std::vector<ReportItem>& options);
 
-// FNV-1a (64 bits, hexadecimal) of the bytes of all files that the job reads: the inputs in order, then those
-// of boundary and start mesh; each is preceded by its length in 8 bytes, lowest first. Throws Error(kInput).
+// The hash (pipeline/report/input_hash.hpp) of all files that the job reads: the inputs in order, then those
+// of boundary and start mesh. Throws Error(kInput).
 [[nodiscard]] std::string hash_inputs(const SectionOptions& options);
 
 // Everything but command, version, threads and hash, which the caller knows. quality: of result.mesh.

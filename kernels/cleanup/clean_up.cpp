@@ -1,0 +1,118 @@
+#include "kernels/cleanup/clean_up.hpp"
+
+#include <chrono>
+
+#include "engine/geometry/model.hpp"
+#include "engine/mesh/compact.hpp"
+#include "engine/mesh/sectors.hpp"
+#include "kernels/cleanup/ideal.hpp"
+#include "kernels/cleanup/patch_remesh.hpp"
+
+namespace quarry {
+namespace {
+
+void add(SweepReport& sum, const SweepReport& part) {
+  sum.sweeps += part.sweeps;
+  sum.visited += part.visited;
+  sum.moved += part.moved;
+}
+
+class CleanUp {
+ public:
+  CleanUp(Mesh& mesh, const NodedLines& lines, const CleanUpOptions& options, CleanUpReport& report,
+          const Progress& progress)
+      : mesh_(mesh), lines_(lines), options_(options), report_(report), progress_(progress) {}
+
+  void run() {
+    progress_.report("clean-up", 0);
+    timed(report_.local_seconds, [&] {
+      open();
+      report_.local = clean_up_locally(mesh_, PlaneModel(), options_.local, progress_);
+      close();
+    });
+    if (options_.level != CleanUpLevel::kLocal) remesh();
+    timed(report_.smoothing_seconds, [&] {
+      report_.shape = optimise_shape(mesh_, lines_, options_.shape, progress_);
+      report_.optimise = optimise_corners(mesh_, lines_, options_.optimise, progress_);
+    });
+  }
+
+ private:
+  template <class Work>
+  void timed(double& seconds, const Work& work) {
+    const auto begin = std::chrono::steady_clock::now();
+    work();
+    seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  }
+
+  void open() {
+    cut_open(mesh_, ConstraintTags::of(mesh_));
+    set_ideal_faces(mesh_, PlaneModel());
+  }
+
+  // Every operation leaves tombstones, and its new entities at the end.
+  void close() {
+    sew(mesh_, ConstraintTags::of(mesh_));
+    mesh_.remove_tag<VertexId>(kIdealTag);
+    compact(mesh_, EntityOrder::kHilbert);
+  }
+
+  void remesh() {
+    const bool fewest = options_.level == CleanUpLevel::kFewest;
+    const std::vector<std::size_t> classes =
+        patch_classes(options_.patches.largest, fewest, mesh_.count_alive_faces());
+    PatchOptions patches = options_.patches;
+    patches.wanted_faces = mesh_.count_alive_faces();
+    for (std::size_t i = 0; i < classes.size(); ++i) {
+      progress_.report("clean-up", static_cast<double>(i + 1) / static_cast<double>(classes.size() + 1));
+      patches.largest = classes[i];
+      timed(report_.patch_seconds, [&] {
+        open();
+        report_.patches.push_back(remesh_patches(mesh_, PlaneModel(), patches, progress_));
+        close();
+      });
+      timed(report_.smoothing_seconds, [&] { smooth_between(classes[i]); });
+    }
+  }
+
+  void smooth_between(std::size_t size) {
+    ShapeOptions between = options_.between;
+    if (size >= options_.more_from) between.sweeps = options_.more_sweeps;
+    add(report_.between, optimise_shape(mesh_, lines_, between, progress_));
+  }
+
+  Mesh& mesh_;
+  const NodedLines& lines_;
+  const CleanUpOptions& options_;
+  CleanUpReport& report_;
+  const Progress& progress_;
+};
+
+}  // namespace
+
+const char* name_of(CleanUpLevel level) {
+  switch (level) {
+    case CleanUpLevel::kNone:
+      return "none";
+    case CleanUpLevel::kLocal:
+      return "local";
+    case CleanUpLevel::kFull:
+      return "full";
+    case CleanUpLevel::kFewest:
+      break;
+  }
+  return "fewest";
+}
+
+CleanUpLevel clean_up_level_of(std::string_view name) {
+  for (const CleanUpLevel level : {CleanUpLevel::kLocal, CleanUpLevel::kFull, CleanUpLevel::kFewest})
+    if (name == name_of(level)) return level;
+  return CleanUpLevel::kNone;
+}
+
+void clean_up(Mesh& mesh, const NodedLines& lines, const CleanUpOptions& options, CleanUpReport& report,
+              const Progress& progress) {
+  if (options.level != CleanUpLevel::kNone) CleanUp(mesh, lines, options, report, progress).run();
+}
+
+}  // namespace quarry

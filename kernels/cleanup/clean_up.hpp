@@ -1,0 +1,64 @@
+// Topological clean-up of a planar quad mesh with constraints: local operators, then one-defect patches from
+// small to large, with sweeps of smoothing over the whole mesh in between, which keep large patches
+// acceptable. The steps have headers of their own; this is their order and their defaults.
+//   C. Verma, T. Tautges: Jaal: engineering a high quality all-quadrilateral mesh generator. IMR 20, 2011.
+//   G. Bunin: Non-local topological clean-up. IMR 15, 2006.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "engine/base/progress.hpp"
+#include "engine/mesh/constraint.hpp"
+#include "kernels/cleanup/local.hpp"
+#include "kernels/cleanup/patch_options.hpp"
+#include "kernels/cleanup/patch_report.hpp"
+#include "kernels/smooth/optimise.hpp"
+#include "kernels/smooth/optimise_shape.hpp"
+
+namespace quarry {
+
+enum class CleanUpLevel : std::uint8_t {
+  kNone,    // nothing
+  kLocal,   // small changes at single vertices and edges
+  kFull,    // and patches up to the size that gives the best elements
+  kFewest,  // and larger ones, up to the whole mesh: as few irregular vertices as can be had
+};
+// The word of the command line: none, local, full, fewest.
+[[nodiscard]] const char* name_of(CleanUpLevel level);
+// The level of such a word; kNone of any other.
+[[nodiscard]] CleanUpLevel clean_up_level_of(std::string_view name);
+
+struct CleanUpOptions {
+  CleanUpLevel level = CleanUpLevel::kFull;
+  LocalCleanupOptions local;
+  // The largest patches of kFull. Beyond about 512 faces each pair of irregular vertices that goes bends
+  // thousands of quads.
+  PatchOptions patches;
+  // Sweeps over the whole mesh after each size class, and more after classes of this size and beyond.
+  ShapeOptions between{.sweeps = 3};
+  int more_sweeps = 10;
+  std::size_t more_from = 512;
+  // Sweeps at the end.
+  ShapeOptions shape{.sweeps = 20};
+  OptimiseOptions optimise;
+};
+
+struct CleanUpReport {
+  LocalCleanupReport local;
+  std::vector<PatchReport> patches;  // one a size class
+  SweepReport between;               // all classes together
+  SweepReport shape, optimise;
+  double local_seconds = 0, patch_seconds = 0, smoothing_seconds = 0;
+};
+
+// Constrained sides stay constrained, chains of sides keep their number of edges, vertices on pieces slide,
+// fixed vertices keep their bits. Faces are valid afterwards (exact) where they were before; triangles stay
+// as they are. No tombstones are left; vertices and faces are renumbered along a Hilbert curve. The same on
+// any number of threads.
+void clean_up(Mesh& mesh, const NodedLines& lines, const CleanUpOptions& options, CleanUpReport& report,
+              const Progress& progress);
+
+}  // namespace quarry

@@ -1,0 +1,72 @@
+#include "pipeline/report/clean_up_json.hpp"
+
+#include <array>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+namespace quarry {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// In the order of FillKind and of PatchReject.
+constexpr std::array<const char*, kFillKinds> kFillNames = {"three_sided", "grid", "four_sided_with_a_pair",
+                                                            "five_sided", "six_sided"};
+constexpr std::array<const char*, kPatchRejects> kRejectNames = {
+    "no_disk",       "few_sides",       "many_sides", "no_solution_3", "no_solution_4", "no_solution_5",
+    "no_solution_6", "number_of_faces", "no_gain",    "double_edge",   "quality"};
+
+template <std::size_t kSize>
+Json named(const std::array<const char*, kSize>& names, const std::array<std::uint64_t, kSize>& counts) {
+  Json object = Json::object();
+  for (std::size_t i = 0; i < kSize; ++i) object[names[i]] = counts[i];
+  return object;
+}
+
+Json operator_json(const LocalOperatorReport& report) {
+  return {{"name", report.name},
+          {"looked_at", report.looked_at},
+          {"tried", report.tried},
+          {"won", report.won},
+          {"rejected", {{"no_gain", report.no_gain}, {"invalid", report.invalid}, {"quality", report.poor}}}};
+}
+
+Json patches_json(const PatchReport& report) {
+  return {{"largest", report.largest},
+          {"seeds", report.seeds},
+          {"searches", report.searches},
+          {"convex_stages", report.stages},
+          {"proposals", report.proposals},
+          {"rounds", report.rounds},
+          {"tried", named(kFillNames, report.proposed)},
+          {"won", named(kFillNames, report.won)},
+          {"rejected", named(kRejectNames, report.rejected)}};
+}
+
+}  // namespace
+
+Json clean_up_json(const CleanUpReport& report) {
+  Json operators = Json::array();
+  for (const LocalOperatorReport& each : report.local.operators) operators.push_back(operator_json(each));
+  Json classes = Json::array();
+  for (const PatchReport& each : report.patches) classes.push_back(patches_json(each));
+  return {{"irregular_before", report.local.irregular_before},
+          {"irregular_after_operators", report.local.irregular_after},
+          {"operators", std::move(operators)},
+          {"patches", std::move(classes)}};
+}
+
+Json clean_up_times_json(const CleanUpReport& report) {
+  Json object = {{"operators", report.local_seconds},
+                 {"patches", report.patch_seconds},
+                 {"smoothing", report.smoothing_seconds}};
+  for (const LocalOperatorReport& each : report.local.operators) object[each.name] = each.seconds;
+  for (const PatchReport& each : report.patches) {
+    const std::string name = "patches of " + std::to_string(each.largest);
+    object[name] = {{"search", each.search_seconds}, {"commit", each.commit_seconds}};
+  }
+  return object;
+}
+
+}  // namespace quarry
