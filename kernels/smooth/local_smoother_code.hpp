@@ -17,9 +17,9 @@ namespace local_smoother {
 
 inline constexpr std::size_t kSmoothChunk = 256;
 
-// How far to go along each Newton step: successive over-relaxation. Of 1, 1.2, 1.4, 1.6 and 1.8 the last left
-// the best minimum on blocks of 9 to 1,521 vertices, the last but one the best mean.
-inline constexpr double kRelaxation = 1.7;
+// How far to go along each Newton step: successive over-relaxation. On blocks of 9 to 1,521 vertices flat
+// ones settle soonest at 1.7 and bent ones at 2.1.
+inline constexpr double kRelaxation = 1.9;
 // Moves shorter than this share of the edges at the vertex are not worth the look at the faces.
 inline constexpr double kSmallestMove = 1e-3;
 // The reach of one step, as a share of the edges at the vertex.
@@ -223,7 +223,7 @@ bool LocalSmoother<Model>::move(std::uint32_t i, double regularisation, ShapeSta
   const double edge = star.mean_squared_edge();
   double eps = regularisation * area_;
   if (!untangling) {
-    star.freeze_stretch();
+    star.follow_stretch();
     if (star.has_corner_below(local_smoother::kFlat)) eps = local_smoother::kFlat * edge;
   }
   const Quadratic here = star.expand(eps);

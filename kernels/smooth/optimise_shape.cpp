@@ -140,7 +140,7 @@ class ShapeMover {
         star_.add_triangle(c.next - place_, c.previous - place_, area);
       corners_.push_back(c);
     });
-    star_.freeze_stretch();
+    star_.follow_stretch();
   }
 
   // True if no corner that turns left now is turned over with the vertex at the target (exact).

@@ -14,10 +14,8 @@ struct ShapeOptions {
   // The wanted edge by place, up to a factor: the faces are to share the area that there is in proportion to
   // its square. None: each face is to be as large as those around it are at the start.
   const SizeField* size = nullptr;
-  // More weight for the size than the default makes areas more even and angles less square: on a fracture map
-  // weights of 0.03, 0.1 and 0.3 left areas within 10, 8 and 6 and mean scaled Jacobians of 0.981, 0.980,
-  // 0.978.
-  ShapeTarget target{.size_weight = 0.3};
+  // More weight for the size than the default makes areas more even and angles less square.
+  ShapeTarget target{.stretch = Stretch::kOfCorner, .size_weight = 0.3, .largest_aspect = 6};
   // Stars whose faces all have at least this scaled Jacobian, and areas within this factor of the wanted one,
   // are left alone until a neighbour moves.
   double content = 0.98;
@@ -27,8 +25,8 @@ struct ShapeOptions {
   // The same for the longest edge by the shortest, of quads.
   double largest_edge_ratio = 6;
   // How far to go along each Newton step: beyond 1, as in successive over-relaxation, long waves of error die
-  // sooner.
-  double relaxation = 1.7;
+  // sooner. Steps are for fixed aspects, which the energy follows: hence more than 2 here.
+  double relaxation = 2.5;
   // A vertex that would move by less than this share of the edges at it stays where it is.
   double tolerance = 0.005;
 };

@@ -20,9 +20,11 @@ struct Corner {
   Vec2 d_slope;
 };
 
-// Calls visit(Corner) for each corner of the face that changes with the vertex.
+// Calls visit(Corner) for each corner of the face that changes with the vertex. r: of the edge to `next` and
+// the one across from it.
 template <class Visit>
-inline void for_each_corner(const ShapeFace& face, Vec2 offset, const Visit& visit) {
+inline void for_each_corner(const ShapeFace& face, Vec2 offset, const CornerStretch& stretch,
+                            const Visit& visit) {
   const Vec2 out = face.next - offset;
   const Vec2 back = face.previous - offset;
   const double oo = squared_length(out);
@@ -34,13 +36,16 @@ inline void for_each_corner(const ShapeFace& face, Vec2 offset, const Visit& vis
                  4 * kTriangleWeight, d, d_slope});
     return;
   }
-  const double r = face.stretch;
-  const double inverse = 1 / r;
+  double r = stretch.here;
+  double inverse = 1 / r;
   visit(Corner{inverse * oo + r * bb, -2 * (inverse * out + r * back), 2 * (inverse + r), d, d_slope});
+  r = stretch.next;
+  inverse = 1 / r;
   visit(Corner{inverse * oo + r * face.far_next_squared, (-2 * inverse) * out, 2 * inverse,
                cross(out, face.far_next), Vec2{-face.far_next.y, face.far_next.x}});
-  visit(Corner{r * bb + inverse * face.far_previous_squared, (-2 * r) * back, 2 * r,
-               cross(back, face.far_previous), Vec2{-face.far_previous.y, face.far_previous.x}});
+  r = stretch.previous;
+  visit(Corner{r * bb + face.far_previous_squared / r, (-2 * r) * back, 2 * r, cross(back, face.far_previous),
+               Vec2{-face.far_previous.y, face.far_previous.x}});
 }
 
 // chi with its derivatives divided by it.
@@ -134,7 +139,7 @@ void ShapeStar::add_quad(Vec2 next, Vec2 opposite, Vec2 previous, double area) {
   face.far_next_squared = squared_length(face.far_next);
   face.far_previous_squared = squared_length(face.far_previous);
   face.area = area;
-  face.stretch = 1;
+  face.stretch = {};
   face.quad = true;
 }
 
@@ -147,19 +152,32 @@ void ShapeStar::add_triangle(Vec2 next, Vec2 previous, double area) {
   face.far_next_squared = squared_length(face.far_next);
   face.far_previous_squared = face.far_next_squared;
   face.area = area;
-  face.stretch = 1;
+  face.stretch = {};
   face.quad = false;
 }
 
-void ShapeStar::freeze_stretch() {
-  const double limit = target_.largest_aspect;
-  for (ShapeFace& face : std::span(faces_).first(count_)) {
-    if (!face.quad) continue;
-    // The lines between the middles of opposite edges tell the aspect with one square root.
-    const double along = squared_length(face.next - face.far_previous);
-    const double across = squared_length(face.previous + face.far_next);
-    face.stretch = std::sqrt(std::clamp(along / across, 1 / (limit * limit), limit * limit));
+void ShapeStar::follow_stretch() {
+  following_ = true;
+  for (ShapeFace& face : std::span(faces_).first(count_)) face.stretch = stretch_at(face, {});
+}
+
+CornerStretch ShapeStar::stretch_at(const ShapeFace& face, Vec2 offset) const {
+  if (!face.quad) return {};
+  // The square roots of ratios of squared lengths.
+  const double limit = target_.largest_aspect * target_.largest_aspect;
+  const auto aspect = [&](double along, double across) {
+    return std::sqrt(std::clamp(along / across, 1 / limit, limit));
+  };
+  const Vec2 out = face.next - offset;
+  const Vec2 back = face.previous - offset;
+  if (target_.stretch == Stretch::kOfCorner) {
+    const double oo = squared_length(out);
+    const double bb = squared_length(back);
+    return {aspect(oo, bb), aspect(oo, face.far_next_squared), aspect(face.far_previous_squared, bb)};
   }
+  // The lines between the middles of opposite edges.
+  const double one = aspect(squared_length(out - face.far_previous), squared_length(back + face.far_next));
+  return {one, one, one};
 }
 
 bool ShapeStar::has_corner_below(double sine) const {
@@ -179,7 +197,8 @@ double ShapeStar::value(Vec2 offset, double eps) const {
   for (const ShapeFace& face : faces()) {
     const double added = target_.size_weight * face.area;
     const double pull = target_.size_weight / face.area;
-    for_each_corner(face, offset, [&](const Corner& c) {
+    const CornerStretch stretch = following_ ? stretch_at(face, offset) : face.stretch;
+    for_each_corner(face, offset, stretch, [&](const Corner& c) {
       positive = positive && c.d > 0;
       sum += (c.squares + added) / (eps > 0 ? regularised_value(c.d, eps) : c.d) + pull * c.d;
     });
@@ -191,7 +210,7 @@ Quadratic ShapeStar::expand(double eps) const {
   Quadratic sum;
   bool positive = true;
   for (const ShapeFace& face : faces()) {
-    for_each_corner(face, {}, [&](const Corner& c) {
+    for_each_corner(face, {}, face.stretch, [&](const Corner& c) {
       positive = positive && c.d > 0;
       const Chi chi = eps > 0 ? regularised(c.d, eps) : Chi{c.d, 1 / c.d, 0};
       add_cost(c, chi, target_.size_weight, face.area, sum);

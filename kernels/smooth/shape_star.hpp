@@ -13,6 +13,7 @@
 // the plain cost Newton's steps from there are no longer than d itself.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -21,11 +22,23 @@
 
 namespace quarry {
 
+// Whose aspect r is.
+enum class Stretch : std::uint8_t {
+  kOfQuad,    // one for its four corners: opposite edges become equal
+  kOfCorner,  // of its two edges: without s the cost is 2 / sine
+};
+
 struct ShapeTarget {
+  Stretch stretch = Stretch::kOfQuad;
   // s: what the size of a face counts beside its shape.
   double size_weight = 0.1;
   // r is at most this and at least its inverse: quads beyond are drawn back.
   double largest_aspect = 3;
+};
+
+// r at the vertex, at `next` and at `previous`: of the edge to `next` or the one across from it by the other.
+struct CornerStretch {
+  double here = 1, next = 1, previous = 1;
 };
 
 // A face of a star; places are relative to the vertex.
@@ -35,7 +48,7 @@ struct ShapeFace {
       far_previous;  // of a quad: the edges from `next` to the opposite corner and on to `previous`
   double far_next_squared, far_previous_squared;  // of a triangle both that of its far edge
   double area;                                    // T
-  double stretch;                                 // r of the edge to `next` and of the one across from it
+  CornerStretch stretch;                          // with the vertex where it is
   bool quad;
 };
 
@@ -44,13 +57,17 @@ class ShapeStar {
   explicit ShapeStar(const ShapeTarget& target = {}) : target_(target) {}
 
   // Empties the star; its memory is kept.
-  void clear() { count_ = 0; }
+  void clear() {
+    count_ = 0;
+    following_ = false;
+  }
   // Faces in any order, corners counter-clockwise from the vertex, places relative to it. area: wanted, of a
   // quad; of a triangle twice its own.
   void add_quad(Vec2 next, Vec2 opposite, Vec2 previous, double area);
   void add_triangle(Vec2 next, Vec2 previous, double area);
-  // Sets r of all quads from their present shape; as added they have 1.
-  void freeze_stretch();
+  // From here on r of each quad is its aspect with the vertex at the offset that is asked about; before, it
+  // is 1 wherever the vertex is.
+  void follow_stretch();
 
   [[nodiscard]] std::span<const ShapeFace> faces() const { return std::span(faces_).first(count_); }
   // The mean of the squared lengths of the edges at the vertex.
@@ -62,7 +79,8 @@ class ShapeStar {
   // The energy were the vertex at this offset. With eps 0 (an area) it is infinite unless all corners turn
   // left.
   [[nodiscard]] double value(Vec2 offset, double eps) const;
-  // The energy with its derivatives where the vertex is. With an infinite value they mean nothing.
+  // The energy where the vertex is, with its derivatives for fixed r. With an infinite value they mean
+  // nothing.
   [[nodiscard]] Quadratic expand(double eps) const;
   // True if with the vertex at the offset no face has a corner (of those that change) with a sine below the
   // floor and smaller than now, or edges of a ratio above the limit and more unequal than now.
@@ -70,8 +88,10 @@ class ShapeStar {
 
  private:
   ShapeFace& add();
+  [[nodiscard]] CornerStretch stretch_at(const ShapeFace& face, Vec2 offset) const;
 
   ShapeTarget target_;
+  bool following_ = false;
   std::size_t count_ = 0;
   std::vector<ShapeFace> faces_;  // the first count_ are those of this star
 };

@@ -11,20 +11,19 @@ namespace quarry {
 namespace {
 
 // Four quads or triangles around a vertex near the middle, their corners shaken by the seed.
-ShapeStar shaken_star(std::uint64_t seed, double shake, bool triangles) {
+ShapeStar shaken_star(std::uint64_t seed, double shake, bool triangles, const ShapeTarget& target = {}) {
   const std::array<Vec2, 8> ring = {Vec2{1, 0},  Vec2{1, 1},   Vec2{0, 1},  Vec2{-1, 1},
                                     Vec2{-1, 0}, Vec2{-1, -1}, Vec2{0, -1}, Vec2{1, -1}};
   std::array<Vec2, 8> p;
   for (std::size_t i = 0; i < 8; ++i)
     p[i] = ring[i] + Vec2{shake * (uniform01(seed, 2 * i) - 0.5), shake * (uniform01(seed, 2 * i + 1) - 0.5)};
-  ShapeStar star;
+  ShapeStar star(target);
   for (std::size_t i = 0; i < 8; i += 2) {
     if (triangles && i % 4 == 0)
       star.add_triangle(p[i], p[(i + 2) % 8], 0.9);
     else
       star.add_quad(p[i], p[i + 1], p[(i + 2) % 8], 1.1);
   }
-  star.freeze_stretch();
   return star;
 }
 
@@ -58,6 +57,23 @@ TEST(ShapeStar, IsInfiniteWhereACornerIsFlatOrTurnedOver) {
   EXPECT_TRUE(std::isfinite(star.value({1.1, 0}, 0.1)));
 }
 
+TEST(ShapeStar, FollowsTheAspectsOfCornersDownToTheSlopesOfTheirSines) {
+  // 2 / sine for each corner that moves.
+  const ShapeTarget target{.stretch = Stretch::kOfCorner, .size_weight = 0, .largest_aspect = 100};
+  for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    ShapeStar star = shaken_star(seed, 0.7, false, target);
+    star.follow_stretch();
+    const Quadratic q = star.expand(0);
+    EXPECT_DOUBLE_EQ(q.value, star.value({}, 0));
+    constexpr double h = 1e-5;
+    const double scale = 1e-6 * (1 + length(q.gradient));
+    EXPECT_NEAR(q.gradient.x, (star.value({h, 0}, 0) - star.value({-h, 0}, 0)) / (2 * h), scale);
+    EXPECT_NEAR(q.gradient.y, (star.value({0, h}, 0) - star.value({0, -h}, 0)) / (2 * h), scale);
+    EXPECT_GE(q.value, 24);
+  }
+}
+
 TEST(ShapeStar, ReachesTheMinimumOfAValidStarByNewtonStepsAlone) {
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -75,7 +91,7 @@ TEST(ShapeStar, HoldsARectangleAsGoodAsASquareUpToTheLargestAspect) {
   const auto slope = [](double aspect) {
     ShapeStar star({.size_weight = 0});
     star.add_quad({aspect, 0}, {aspect, 1}, {0, 1}, aspect);
-    star.freeze_stretch();
+    star.follow_stretch();
     return length(star.expand(0).gradient);
   };
   const double limit = ShapeTarget().largest_aspect;
