@@ -12,18 +12,17 @@
 #include "engine/base/error.hpp"
 #include "engine/mesh/compact.hpp"
 #include "engine/mesh/validate.hpp"
-#include "engine/parallel/parallel.hpp"
 #include "io/mesh/mesh_format.hpp"
 #include "kernels/field/size_field.hpp"
 #include "kernels/smooth/optimise.hpp"
 #include "kernels/smooth/optimise_shape.hpp"
 #include "pipeline/improve/tagged_lines.hpp"
+#include "pipeline/improve/untangle.hpp"
 
 namespace quarry {
 namespace {
 
 // At most; they end when nothing moves any more.
-constexpr int kUntanglingSweeps = 100;
 constexpr int kShapeSweeps = 90;
 constexpr int kCornerSweeps = 20;
 // Clean-up keeps to the smallest scaled Jacobian that it finds up to this: more would leave it nothing to do.
@@ -48,14 +47,6 @@ void require_planar(const std::string& path, const ReadCells& cells) {
       fmt::format("{}: point {} at ({:.10g}, {:.10g}, {:.10g}) does not lie in the plane z = 0: surfaces "
                   "cannot be improved yet",
                   path, i, cells.x[i], cells.y[i], cells.z[i]));
-}
-
-// Faces with a corner that does not turn left.
-std::vector<std::uint32_t> invalid_faces(const Mesh& mesh) {
-  return parallel::filter_indices(mesh.face_slots(), [&](std::size_t i) {
-    const FaceId f(i);
-    return mesh.alive(f) && !all_corners_turn_left(mesh, f);
-  });
 }
 
 std::string place_of(const Mesh& mesh, FaceId face) {
@@ -119,7 +110,7 @@ class ImproveJob {
     result_.nodes = lines_.lines.nodes.size();
     result_.pieces = lines_.lines.pieces.size();
     clock_.start("untangling");
-    untangle();
+    untangle_faces();
     clock_.start("clean-up");
     clean_up_quads();
     clock_.start("smoothing");
@@ -181,11 +172,8 @@ class ImproveJob {
   }
 
   // Clean-up compares shapes, which says little about faces that are turned over.
-  void untangle() {
-    if (result_.invalid == 0) return;
-    ShapeOptions shape;
-    shape.sweeps = kUntanglingSweeps;
-    result_.untangling = optimise_shape(result_.mesh, lines_.lines, shape, progress_);
+  void untangle_faces() {
+    if (result_.invalid > 0) untangle(result_.mesh, lines_.lines, progress_);
   }
 
   void clean_up_quads() {

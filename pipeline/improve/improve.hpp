@@ -43,7 +43,7 @@ struct ImproveResult {
   std::size_t nodes = 0;         // vertices that stay fixed
   std::size_t pieces = 0;        // straight stretches
   CleanUpReport clean_up;
-  SweepReport untangling, smoothing, corners;
+  SweepReport smoothing, corners;
   std::vector<std::string> notes;  // one line each: what the user should know
   std::vector<StageTime> times;
 };

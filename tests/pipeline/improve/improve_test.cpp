@@ -1,0 +1,207 @@
+#include "pipeline/improve/improve.hpp"
+
+#include <map>
+
+#include <gtest/gtest.h>
+
+#include "engine/base/error.hpp"
+#include "engine/base/random.hpp"
+#include "engine/mesh/validate.hpp"
+#include "engine/parallel/parallel.hpp"
+#include "io/mesh/mesh_format.hpp"
+#include "tests/io/mesh/mesh_comparison.hpp"
+#include "tests/io/mesh/sample_mesh.hpp"
+#include "tests/io/mesh/temporary_folder.hpp"
+
+namespace quarry {
+namespace {
+
+using Lengths = std::map<std::pair<std::int32_t, std::int32_t>, double>;
+
+// The length of the edges of each constraint and kind.
+Lengths edge_lengths(const Mesh& mesh) {
+  const MeshFileTags tags(mesh);
+  Lengths lengths;
+  for (const EdgeId e : mesh.edges()) {
+    const auto [a, b] = mesh.edge_ends(e);
+    lengths[{tags.constraint(e), tags.kind(e)}] += distance(mesh.point(a), mesh.point(b));
+  }
+  return lengths;
+}
+
+std::map<std::int32_t, double> region_areas(const Mesh& mesh) {
+  std::map<std::int32_t, double> areas;
+  const MeshFileTags tags(mesh);
+  for (const FaceId f : mesh.faces()) {
+    const Vec2 a = mesh.point(mesh.corner(f, 0));
+    for (int k = 1; k + 1 < mesh.corner_count(f); ++k)
+      areas[tags.region(f)] +=
+          0.5 * cross(mesh.point(mesh.corner(f, k)) - a, mesh.point(mesh.corner(f, k + 1)) - a);
+  }
+  return areas;
+}
+
+void expect_near(const auto& found, const auto& wanted) {
+  ASSERT_EQ(found.size(), wanted.size());
+  for (const auto& [key, value] : wanted) EXPECT_NEAR(found.at(key), value, 1e-6 * value);
+}
+
+class Improve : public testing::TestWithParam<const char*> {
+ protected:
+  // Crooked quads and a few triangles, two regions, lines with several numbers.
+  [[nodiscard]] std::string sample(const SampleMesh& sample = {.size = 24, .disorder = 0.6}) const {
+    const std::string path = folder_.file(std::string("in") + GetParam());
+    write_mesh(path, make_sample_mesh(sample), {});
+    return path;
+  }
+  TemporaryFolder folder_;
+};
+
+TEST_P(Improve, KeepsRegionsAndTaggedEdgesOfEveryFormat) {
+  const SampleMesh crooked{.size = 24, .disorder = 0.6, .corner = {6.7e6, 10}};
+  const Mesh before = make_sample_mesh(crooked);
+  const ImproveResult result = improve_mesh({.input = sample(crooked)}, {});
+  EXPECT_EQ(validate(result.mesh, GeometryCheck::kPlanarCorners), "");
+  expect_near(region_areas(result.mesh), region_areas(before));
+  expect_near(edge_lengths(result.mesh), edge_lengths(before));
+}
+
+TEST_P(Improve, LiftsTheQuality) {
+  const ImproveResult result = improve_mesh({.input = sample()}, {});
+  const QualitySummary after = summarize_quality(result.mesh);
+  EXPECT_GT(after.all.scaled_jacobian.min, result.before.all.scaled_jacobian.min);
+  EXPECT_GT(after.all.scaled_jacobian.mean, result.before.all.scaled_jacobian.mean);
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats, Improve, testing::Values(".vtu", ".msh", ".obj", ".inp"),
+                         [](const auto& format) { return std::string(format.param + 1); });
+
+class ImproveJob : public testing::Test {
+ protected:
+  void expect_error(const std::string& path, ErrorKind kind, const std::string& message) const {
+    try {
+      static_cast<void>(improve_mesh({.input = path}, {}));
+      FAIL() << "no error";
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), kind) << error.message();
+      EXPECT_NE(error.message().find(message), std::string::npos) << error.message();
+      EXPECT_EQ(error.message().find(path), 0U) << error.message();
+    }
+  }
+  TemporaryFolder folder_;
+};
+
+TEST_F(ImproveJob, IsTheSameOnAnyNumberOfThreads) {
+  const std::string path = folder_.file("in.vtu");
+  write_mesh(path, make_sample_mesh({.size = 120, .disorder = 0.7}), {});
+  const auto bytes = [&] {
+    write_mesh(folder_.file("out.vtu"), improve_mesh({.input = path}, {}).mesh, {});
+    return file_content(folder_.file("out.vtu"));
+  };
+  std::string one;
+  parallel::with_threads(1, [&] { one = bytes(); });
+  for (const int threads : {2, 4, 7}) {
+    const parallel::ParticipationProbe probe(3);
+    parallel::with_threads(threads, [&] { EXPECT_TRUE(bytes() == one) << threads << " threads"; });
+    EXPECT_GT(probe.chunks_of_other_threads(), 0U) << threads << " threads";
+  }
+}
+
+TEST_F(ImproveJob, TurnsAClockwiseMeshAndSaysSo) {
+  const std::string path =
+      folder_.file("a.obj", "v 0 0\nv 1 0\nv 2 0\nv 0 1\nv 1 1\nv 2 1\nf 4 5 2 1\nf 2 3 6 5\n");
+  const ImproveResult result = improve_mesh({.input = path}, {});
+  EXPECT_EQ(result.turned, 1U);
+  ASSERT_EQ(result.notes.size(), 1U);
+  EXPECT_NE(result.notes[0].find("1 of 2 faces were clockwise"), std::string::npos) << result.notes[0];
+  EXPECT_EQ(validate(result.mesh, GeometryCheck::kPlanarCorners), "");
+}
+
+TEST_F(ImproveJob, UntanglesAVertexThatLiesOutsideItsStar) {
+  SampleMesh sample{.size = 6, .disorder = 0, .triangles = false};
+  Mesh mesh = make_sample_mesh(sample);
+  mesh.set_point(VertexId(sample_vertex(sample, 2, 2)), {3.4, 3.4});
+  const std::string path = folder_.file("in.vtu");
+  write_mesh(path, mesh, {});
+  const ImproveResult result = improve_mesh({.input = path}, {});
+  EXPECT_GT(result.invalid, 0U);
+  EXPECT_EQ(validate(result.mesh, GeometryCheck::kPlanarCorners), "");
+}
+
+// A square of n by n quads whose inner vertices lie up to `disorder` / 2 edges from their places.
+std::string tangled_square(std::uint32_t n, double disorder, std::uint64_t seed) {
+  std::string text;
+  for (std::uint32_t j = 0; j <= n; ++j)
+    for (std::uint32_t i = 0; i <= n; ++i) {
+      const std::uint64_t k = std::uint64_t{j} * (n + 1) + i;
+      const double by = i > 0 && j > 0 && i < n && j < n ? disorder : 0;
+      text += "v " + std::to_string(i + by * (uniform01(seed, 2 * k) - 0.5)) + " " +
+              std::to_string(j + by * (uniform01(seed, 2 * k + 1) - 0.5)) + "\n";
+    }
+  for (std::uint32_t j = 0; j < n; ++j)
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const std::uint32_t a = j * (n + 1) + i + 1;
+      text += "f " + std::to_string(a) + " " + std::to_string(a + 1) + " " + std::to_string(a + n + 2) + " " +
+              std::to_string(a + n + 1) + "\n";
+    }
+  return text;
+}
+
+TEST_F(ImproveJob, UntanglesWhateverMayMove) {
+  for (const std::uint64_t seed : {1U, 2U, 3U, 4U}) {
+    const ImproveResult result =
+        improve_mesh({.input = folder_.file("in.obj", tangled_square(16, 4, seed))}, {});
+    EXPECT_GT(result.invalid, 50U) << seed;
+    EXPECT_EQ(validate(result.mesh, GeometryCheck::kPlanarCorners), "") << seed;
+  }
+}
+
+TEST_F(ImproveJob, SaysWhereAMeshStaysInvalid) {
+  // A corner of the boundary that is reflex within one quad: no vertex may move.
+  expect_error(folder_.file("a.obj", "v 0 0\nv 2 0\nv 0.5 0.5\nv 0 2\nf 1 2 3 4\n"), ErrorKind::kGeometry,
+               "1 faces cannot be made valid");
+}
+
+TEST_F(ImproveJob, RefusesSurfacesAndMeshesWithoutFaces) {
+  expect_error(folder_.file("a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 1\nv 0 1 1\nf 1 2 3 4\n"), ErrorKind::kGeometry,
+               "surfaces cannot be improved yet");
+  expect_error(folder_.file("b.obj", "v 0 0 0\nv 1 0 0\nl 1 2\n"), ErrorKind::kGeometry, "no face");
+}
+
+TEST_F(ImproveJob, RefusesAnEdgeOfThreeFacesWithItsPlace) {
+  expect_error(folder_.file("a.obj", "v 0 0\nv 1 0\nv 0 1\nv 0 -1\nv 1 2\nf 1 2 3\nf 2 1 4\nf 1 2 5\n"),
+               ErrorKind::kInput, "(0, 0) - (1, 0)");
+}
+
+// Two quads over a line of the old format of Gmsh, beside a third.
+TEST_F(ImproveJob, KeepsTheNamesOfGroups) {
+  const std::string path = folder_.file(
+      "a.msh",
+      "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n3\n1 5 \"main fault\"\n2 6 \"rock\"\n2 7 "
+      "\"ore\"\n"
+      "$EndPhysicalNames\n$Nodes\n8\n1 0 0 0\n2 1 0 0\n3 2 0 0\n4 3 0 0\n5 0 1 0\n6 1 1 0\n7 2 1 0\n8 3 1 0\n"
+      "$EndNodes\n$Elements\n4\n1 1 2 5 1 2 6\n2 3 2 6 1 1 2 6 5\n3 3 2 6 1 2 3 7 6\n4 3 2 7 2 3 4 8 7\n"
+      "$EndElements\n");
+  const ImproveResult result = improve_mesh({.input = path}, {});
+  const std::string out = folder_.file("out.msh");
+  write_mesh(out, result.mesh, {.names = result.names});
+  const ReadCells cells = read_cells(out);
+  EXPECT_EQ(cells.names.lines.at(0), "main fault");
+  EXPECT_EQ(cells.names.regions.at(0), "rock");
+  EXPECT_EQ(cells.names.regions.at(1), "ore");
+  EXPECT_EQ(std::count(cells.constraints.begin(), cells.constraints.end(), 0), 1);
+}
+
+TEST_F(ImproveJob, LeavesOutLinesBetweenPointsOfNoFace) {
+  const ImproveResult result =
+      improve_mesh({.input = folder_.file("a.obj",
+                                          "v 0 0\nv 1 0\nv 1 1\nv 0 1\nv 9 9\nv 8 9\nf 1 2 3 4\n"
+                                          "g line_2\nl 5 6\nl 1 2\n")},
+                   {});
+  ASSERT_EQ(result.notes.size(), 1U);
+  EXPECT_NE(result.notes[0].find("1 lines join points that belong to no face"), std::string::npos);
+  EXPECT_EQ(edge_lengths(result.mesh).at({2, 2}), 1.0);
+}
+
+}  // namespace
+}  // namespace quarry
