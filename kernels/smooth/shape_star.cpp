@@ -20,8 +20,7 @@ struct Corner {
   Vec2 d_slope;
 };
 
-// Calls visit(Corner) for each corner of the face that changes with the vertex. r: of the edge to `next` and
-// the one across from it.
+// Calls visit(Corner) for each corner of the face that changes with the vertex.
 template <class Visit>
 inline void for_each_corner(const ShapeFace& face, Vec2 offset, const CornerStretch& stretch,
                             const Visit& visit) {

@@ -3,14 +3,14 @@
 //
 // A corner between edges e1 and e2 with determinant d = e1 x e2 costs
 //   (|e1|^2 / r + r |e2|^2 + s T) / d + s d / T,
-// the mean ratio of Knupp (SIAM J. Sci. Comput. 23, 2001) with two changes. r is the present aspect of the
-// quad, frozen for the step, so that a rectangle is as good as a square and a quad is not skewed where counts
-// ask for a stretch; one for the quad and not one for the corner, so that opposite edges become equal. T is
-// the wanted area, and s how much it counts. r, T and s fixed, the cost is convex in the place as long as all
-// d > 0 (squares over a linear function), and infinite at d = 0: Newton's method needs no help. Where a
-// corner is turned over, chi(d) = (d + sqrt(d^2 + eps^2)) / 2 stands in place of the d below (Escobar et al.,
-// CMAME 192, 2003): finite everywhere, falling as d grows. It also serves where a corner is nearly flat: on
-// the plain cost Newton's steps from there are no longer than d itself.
+// the mean ratio of Knupp (SIAM J. Sci. Comput. 23, 2001) with two changes. r is the present aspect, so that
+// a rectangle is as good as a square and a quad is not skewed where counts ask for a stretch. T is the wanted
+// area, and s how much it counts. With r fixed, as for the derivatives, the cost is convex in the place as
+// long as all d > 0 (squares over a linear function), and infinite at d = 0: Newton's method needs no help.
+//
+// Where a corner is turned over, chi(d) = (d + sqrt(d^2 + eps^2)) / 2 stands in place of the d below
+// (Escobar et al., CMAME 192, 2003): finite everywhere, falling as d grows. It also serves where a corner is
+// nearly flat: on the plain cost Newton's steps from there are no longer than d itself.
 #pragma once
 
 #include <cstdint>
@@ -32,7 +32,7 @@ struct ShapeTarget {
   Stretch stretch = Stretch::kOfQuad;
   // s: what the size of a face counts beside its shape.
   double size_weight = 0.1;
-  // r is at most this and at least its inverse: quads beyond are drawn back.
+  // r is at most this and at least its inverse: what is longer is drawn back.
   double largest_aspect = 3;
 };
 
