@@ -31,19 +31,18 @@ void smooth(Mesh& mesh, const NodedLines& lines, const MatchingOptions& options,
     report.openings.push_back(open_straight_corners(mesh, options.openings, progress));
   }
   report.smoothing.push_back(optimise_shape(mesh, lines, options.shape, progress));
+  for (int round = 0; round < options.ring_rounds; ++round) {
+    report.rings.push_back(ring_straight_corners(mesh, lines, progress));
+    if (report.rings.back().won == 0) break;
+    report.smoothing.push_back(optimise_shape(mesh, lines, options.shape, progress));
+  }
   report.optimise = optimise_corners(mesh, lines, options.optimise, progress);
 }
 
-void check_quads(const Mesh& mesh, const MatchingOptions& options, MatchingReport& report) {
-  const auto invalid = parallel::filter_indices(
-      mesh.face_slots(), [&](std::size_t i) { return !all_corners_turn_left(mesh, FaceId(i)); });
-  report.invalid = invalid.size();
-  if (invalid.empty() || !options.require_valid) return;
-  const Vec2 p = mesh.point(mesh.corner(FaceId(invalid.front()), 0));
-  throw Error(ErrorKind::kGeometry,
-              fmt::format("{} quads cannot be made valid without halving edges, the first at {}: use --quads "
-                          "cluster, or clean the lines there with a larger --snap or --min-edge",
-                          invalid.size(), format_point(p.x, p.y)));
+std::vector<std::uint32_t> invalid_faces(const Mesh& mesh) {
+  return parallel::filter_indices(mesh.face_slots(), [&](std::size_t i) {
+    return mesh.alive(FaceId(i)) && !all_corners_turn_left(mesh, FaceId(i));
+  });
 }
 
 }  // namespace
@@ -86,8 +85,20 @@ Mesh make_quads_by_matching(Mesh&& triangles, const NodedLines& lines, const Mat
   mesh = merge_join(std::move(mesh), join);
   smooth(mesh, lines, options, report, progress);
   report.quads = mesh.face_slots();
-  check_quads(mesh, options, report);
+  report.invalid = invalid_faces(mesh).size();
+  if (options.require_valid) require_convex_quads(mesh);
   return mesh;
+}
+
+void require_convex_quads(const Mesh& mesh) {
+  const std::vector<std::uint32_t> invalid = invalid_faces(mesh);
+  if (invalid.empty()) return;
+  const Vec2 p = mesh.point(mesh.corner(FaceId(invalid.front()), 0));
+  throw Error(
+      ErrorKind::kGeometry,
+      fmt::format("matching leaves {} quads inverted, the first at {}: use --quads cluster, or clean the "
+                  "lines there with a larger --snap or --min-edge",
+                  invalid.size(), format_point(p.x, p.y)));
 }
 
 }  // namespace quarry

@@ -18,6 +18,7 @@
 #include "kernels/matching/merge_cost.hpp"
 #include "kernels/matching/openings.hpp"
 #include "kernels/matching/region_parity.hpp"
+#include "kernels/matching/rings.hpp"
 #include "kernels/matching/short_ways.hpp"
 #include "kernels/smooth/laplacian.hpp"
 #include "kernels/smooth/optimise.hpp"
@@ -46,6 +47,8 @@ struct MatchingOptions {
   // Quads are smoothed, and their straight corners opened, this often.
   int opening_rounds = 2;
   OpeningOptions openings;
+  // What is inverted then gets rings, which halve constrained edges, at most this often.
+  int ring_rounds = 3;
   ShapeOptions shape{.sweeps = 6};
   OptimiseOptions optimise;
   // Throw where a quad stays inverted; else only count it.
@@ -60,6 +63,7 @@ struct MatchingReport {
   std::uint64_t quads = 0;
   std::uint64_t steiner_points = 0;
   PassReport flips;
+  std::vector<PassReport> rings;
   std::vector<PassReport> openings;    // one a round
   std::vector<SweepReport> smoothing;  // of triangles, and then one a round
   SweepReport optimise;
@@ -82,5 +86,9 @@ void prepare_for_join(Mesh& mesh, ConstraintTags tags, const NodedLines& lines,
 [[nodiscard]] Mesh make_quads_by_matching(Mesh&& triangles, const NodedLines& lines,
                                           const MatchingOptions& options, MatchingReport& report,
                                           const Progress& progress);
+
+// Throws Error(kGeometry) with the number of quads that are not strictly convex, the place of the first and
+// the remedy, if there are any. For whoever goes on mending after require_valid = false.
+void require_convex_quads(const Mesh& mesh);
 
 }  // namespace quarry

@@ -1,0 +1,21 @@
+// Puts a ring of quads around the vertex that lies opposite a straight or reflex corner: every edge at that
+// vertex is halved, and every quad around it becomes three. The straight corner gets a second quad, whatever
+// its surroundings are; so this mends what is left of forced merges, at the price of two more quads for each
+// quad around the vertex, and of constrained edges being halved.
+#pragma once
+
+#include "engine/base/progress.hpp"
+#include "engine/geometry/line_set.hpp"
+#include "engine/mesh/constraint.hpp"
+#include "engine/operation/pass.hpp"
+
+namespace quarry {
+
+// Tries each quad of a planar quad mesh (with ConstraintTags) that is not strictly convex. A ring is made if
+// fewer quads are not strictly convex afterwards (exact), around vertices that are not on the boundary. With
+// the centre of each quad on its diagonal from the ringed vertex, convex quads give convex quads: the parts
+// on both sides of the diagonal beyond the line through the two midpoints. New vertices on constrained edges
+// slide on their piece, all others are free. Smooth afterwards.
+PassReport ring_straight_corners(Mesh& mesh, const NodedLines& lines, const Progress& progress);
+
+}  // namespace quarry
