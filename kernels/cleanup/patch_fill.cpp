@@ -1,6 +1,7 @@
 #include "kernels/cleanup/patch_fill.hpp"
 
 #include <cassert>
+#include <cstdlib>
 
 namespace quarry {
 namespace {
@@ -68,6 +69,31 @@ std::optional<PatchFill> solve_pair(std::span<const std::uint32_t> lengths, std:
   const auto spokes = solve_spokes(between);
   if (!spokes) return std::nullopt;
   return PatchFill{FillKind::kPair, first, *spokes, 0};
+}
+
+std::uint32_t sides_to_push(std::span<const std::uint32_t> lengths) {
+  const std::size_t n = lengths.size();
+  std::uint32_t sides = 0;
+  if (n == 4) {
+    for (std::size_t first = 0; first < 4; ++first) {
+      const std::int64_t near = lengths[first], far = lengths[(first + 2) % 4];
+      const std::int64_t a = lengths[(first + 1) % 4], b = lengths[(first + 3) % 4];
+      const std::int64_t more = far - near;
+      if (more <= 0 || (more + a + b) % 2 != 0 || more <= std::abs(a - b)) continue;
+      if (near < 2) sides |= 1U << ((first + 1) % 4);
+      if (a + b <= more) sides |= 1U << first;
+    }
+    return sides;
+  }
+  if (n == 6 &&
+      ((lengths[0] + lengths[2] + lengths[4]) % 2 != 0 || (lengths[1] + lengths[3] + lengths[5]) % 2 != 0))
+    return 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::int64_t doubled = doubled_spoke(lengths, i);
+    if (doubled % 2 != 0) return 0;
+    if (doubled < 2) sides |= 1U << i;
+  }
+  return sides;
 }
 
 std::uint64_t count_faces(const PatchFill& fill, std::span<const std::uint32_t> lengths) {

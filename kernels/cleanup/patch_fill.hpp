@@ -44,6 +44,11 @@ struct PatchFill {
 // vertex: split may be any of 1 to lengths[first] - 1. None where no such fill exists. lengths: four.
 [[nodiscard]] std::optional<PatchFill> solve_pair(std::span<const std::uint32_t> lengths, std::uint8_t first);
 
+// Pushing a side outwards by a row of quads lengthens its spoke by one and changes no other. Bits of the
+// sides that would have to be pushed before a patch without a fill can have one; 0 where no pushing helps,
+// because of the parity.
+[[nodiscard]] std::uint32_t sides_to_push(std::span<const std::uint32_t> lengths);
+
 // Quads of the fill. lengths: of the sides of the patch.
 [[nodiscard]] std::uint64_t count_faces(const PatchFill& fill, std::span<const std::uint32_t> lengths);
 

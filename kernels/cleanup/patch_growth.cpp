@@ -71,6 +71,11 @@ bool PatchGrowth::add_star(VertexId v) {
   return added;
 }
 
+bool PatchGrowth::add_across(VertexId a, VertexId b) {
+  const SideId across = mesh_->neighbour(mesh_->find_side(a, b));
+  return !across.valid() || add_face(across.face());
+}
+
 bool PatchGrowth::settle(VertexId v) {
   const Counts& counts = counts_[v.value()];
   if (counts.rim_edges == 0) return !stars_->pinned(v);

@@ -29,6 +29,9 @@ class PatchGrowth {
   // Takes in all faces around v. False once the patch is too large or meets what it may not swallow; it is of
   // no use then.
   bool add_star(VertexId v);
+  // Takes in the face across an edge of the patch, from a to b on its rim. False as above; true if there is
+  // none.
+  bool add_across(VertexId a, VertexId b);
   // Takes in the faces around concave vertices and pinches until there are none. False as above.
   bool make_convex();
 

@@ -1,13 +1,16 @@
 #include "kernels/cleanup/patch_remesh.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <chrono>
 #include <numeric>
 #include <optional>
+#include <string>
 #include <utility>
 
+#include "engine/base/log.hpp"
 #include "engine/parallel/parallel.hpp"
-#include "engine/parallel/sort.hpp"
+#include "kernels/cleanup/balance.hpp"
 #include "kernels/cleanup/patch_commit.hpp"
 #include "kernels/cleanup/patch_search.hpp"
 
@@ -47,6 +50,9 @@ class PatchRemesher {
         wanted_(static_cast<double>(options.wanted_faces > 0 ? options.wanted_faces : faces_)),
         searches_([this] { return std::make_unique<PatchSearch>(mesh_, stars_, options_); }) {
     report_.largest = options.largest;
+#ifndef NDEBUG
+    balance_ = balance_of(mesh, model);
+#endif
   }
 
   PatchReport run(const Progress& progress) {
@@ -61,6 +67,7 @@ class PatchRemesher {
       std::vector<std::uint32_t> again;
       search(std::span(pending).first(count), again);
       commit(progress, again);
+      check();
       std::sort(again.begin(), again.end());
       again.erase(std::unique(again.begin(), again.end()), again.end());
       pending.erase(pending.begin(), pending.begin() + static_cast<std::ptrdiff_t>(count));
@@ -91,6 +98,14 @@ class PatchRemesher {
   void commit(const Progress& progress, std::vector<std::uint32_t>& again);
   void count_outcomes(const PatchCommit<Model>& operation);
 
+  void check() const {
+#ifndef NDEBUG
+    const std::string broken = find_imbalance(mesh_, model_, balance_);
+    if (!broken.empty()) log::warn("after patches of {} faces: {}", options_.largest, broken);
+    assert(broken.empty());
+#endif
+  }
+
   Mesh& mesh_;
   const Model& model_;
   const PatchOptions& options_;
@@ -102,6 +117,9 @@ class PatchRemesher {
   std::vector<std::uint64_t> refused_;  // keys of patches that were taken back, ascending
   ScratchPool<PatchSearch> searches_;
   PatchReport report_;
+#ifndef NDEBUG
+  MeshBalance balance_;
+#endif
 };
 
 template <GeometryModel Model>
@@ -154,6 +172,9 @@ void PatchRemesher<Model>::choose(std::vector<std::optional<PatchProposal>>& fou
     proposals_.push_back(std::move(proposal));
   }
   report_.proposals += proposals_.size();
+  // Neighbours one after the other: numbers of vertices follow places, by and large.
+  std::sort(proposals_.begin(), proposals_.end(),
+            [](const PatchProposal& a, const PatchProposal& b) { return a.seed < b.seed; });
 }
 
 // One of each patch; the order is that of gain by faces, then of the seeds.

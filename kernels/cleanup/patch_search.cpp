@@ -28,45 +28,47 @@ std::optional<PatchProposal> PatchSearch::find(VertexId seed, std::span<const st
   Candidate found;
   // A path through more of the mesh than the patch may hold leads nowhere.
   partners_.begin(*mesh_, *stars_, seed, options_->largest);
-  nearest_path_.clear();
-  for (int i = 0; i < options_->partners; ++i) {
-    const VertexId partner = partners_.next();
+  paths_.resize(std::max(paths_.size(), static_cast<std::size_t>(options_->partners)));
+  std::size_t partners = 0;
+  for (VertexId partner; partners < static_cast<std::size_t>(options_->partners); ++partners) {
+    partner = partners_.next();
     if (!partner.valid()) break;
-    partners_.path_from(partner, path_);
-    if (i == 0) nearest_path_ = path_;
-    if (grow(seed, VertexId(), found, report)) return propose(found);
+    partners_.path_from(partner, paths_[partners]);
+    if (grow(paths_[partners], {seed, VertexId()}, found, report)) return propose(found);
   }
-  if (nearest_path_.empty()) return std::nullopt;
-  path_ = nearest_path_;
+  if (partners == 0 || options_->directions == 0) return std::nullopt;
+  for (std::size_t i = 0; i < partners; ++i)
+    if (grow(paths_[i], {seed, seed}, found, report)) return propose(found);
   std::vector<VertexId> ends;
   for_each_side_around(*mesh_, seed, [&](SideId s) { ends.push_back(mesh_->target(s)); });
   for (std::size_t i = 0; i < ends.size() && i < static_cast<std::size_t>(options_->directions); ++i)
-    if (grow(seed, ends[i], found, report)) return propose(found);
+    if (grow(paths_[0], {seed, ends[i]}, found, report)) return propose(found);
   return std::nullopt;
 }
 
-bool PatchSearch::grow(VertexId seed, VertexId towards, Candidate& found, PatchReport& report) {
+bool PatchSearch::grow(const std::vector<VertexId>& path, Direction direction, Candidate& found,
+                       PatchReport& report) {
   growth_.begin(*mesh_, *stars_, options_->largest);
-  bool growing = std::all_of(path_.begin(), path_.end(), [&](VertexId v) { return growth_.add_star(v); });
+  bool growing = std::all_of(path.begin(), path.end(), [&](VertexId v) { return growth_.add_star(v); });
   bool fits = false;
   met_refused_ = false;
   while (growing && growth_.make_convex()) {
     ++report.stages;
     fits = try_stage(found, report);
     if (fits || met_refused_) break;
-    growing = add_ring(seed, towards);
+    if (!direction.to.valid() || !push_sides(growing)) growing = add_ring(direction);
   }
   report.grown_faces += growth_.faces().size();
   return fits;
 }
 
 // False if nothing can be added.
-bool PatchSearch::add_ring(VertexId seed, VertexId towards) {
+bool PatchSearch::add_ring(Direction limit) {
   const std::span<const VertexId> rim = growth_.rim_vertices();
   ring_.assign(rim.begin(), rim.end());
   const std::size_t before = growth_.faces().size();
-  const Vec3 origin = mesh_->point3(seed);
-  const Vec3 direction = towards.valid() ? mesh_->point3(towards) - origin : Vec3();
+  const Vec3 origin = mesh_->point3(limit.from);
+  const Vec3 direction = limit.to.valid() ? mesh_->point3(limit.to) - origin : Vec3();
   for (const VertexId v : ring_) {
     if (stars_->pinned(v) || dot(mesh_->point3(v) - origin, direction) < 0) continue;
     if (!growth_.add_star(v)) return false;
@@ -74,7 +76,23 @@ bool PatchSearch::add_ring(VertexId seed, VertexId towards) {
   return growth_.faces().size() > before;
 }
 
+bool PatchSearch::push_sides(bool& growing) {
+  const std::uint32_t n = outer_.count;
+  if (n < 3 || n > kMostSides) return false;
+  const std::uint32_t short_sides = sides_to_push(outer_.side_lengths());
+  const std::size_t before = growth_.faces().size();
+  for (std::uint32_t i = 0; i < n; ++i) {
+    if ((short_sides >> i & 1U) == 0) continue;
+    for (std::uint32_t k = 0; k < outer_.lengths[i] && growing; ++k) {
+      const std::size_t at = (outer_.corners[i] + k) % rim_.size();
+      growing = growth_.add_across(rim_[at], rim_[(at + 1) % rim_.size()]);
+    }
+  }
+  return !growing || growth_.faces().size() > before;
+}
+
 bool PatchSearch::try_stage(Candidate& found, PatchReport& report) {
+  outer_.count = 0;
   if (!growth_.is_disk()) {
     report.reject(PatchReject::kNoDisk);
     return false;
@@ -85,11 +103,11 @@ bool PatchSearch::try_stage(Candidate& found, PatchReport& report) {
     return false;
   }
   growth_.walk_rim(rim_);
-  const PatchSides outer = find_sides(growth_, rim_, CornerRule::kOuterAngle);
-  if (try_sides(outer, found, report)) return true;
+  outer_ = find_sides(growth_, rim_, CornerRule::kOuterAngle);
+  if (try_sides(outer_, found, report)) return true;
   if (met_refused_) return false;
   const PatchSides inner = find_sides(growth_, rim_, CornerRule::kInnerFaces);
-  return inner != outer && try_sides(inner, found, report);
+  return inner != outer_ && try_sides(inner, found, report);
 }
 
 bool PatchSearch::try_sides(const PatchSides& sides, Candidate& found, PatchReport& report) {

@@ -55,9 +55,17 @@ class PatchSearch {
     double gain = 0;
   };
 
-  // Grows from path_; towards: none, or the vertex beyond the seed in whose direction alone rings are added.
-  [[nodiscard]] bool grow(VertexId seed, VertexId towards, Candidate& found, PatchReport& report);
-  [[nodiscard]] bool add_ring(VertexId seed, VertexId towards);
+  // Rings are added only where they lie in this direction from the first vertex on; all around if both are
+  // the same. Without a second vertex sides are not pushed either.
+  struct Direction {
+    VertexId from, to;
+  };
+
+  [[nodiscard]] bool grow(const std::vector<VertexId>& path, Direction direction, Candidate& found,
+                          PatchReport& report);
+  [[nodiscard]] bool add_ring(Direction limit);
+  // Adds a row along each side whose pushing lengthens a spoke that is too short. False if there is none.
+  [[nodiscard]] bool push_sides(bool& growing);
   [[nodiscard]] bool try_stage(Candidate& found, PatchReport& report);
   [[nodiscard]] bool try_sides(const PatchSides& sides, Candidate& found, PatchReport& report);
   [[nodiscard]] std::optional<PatchFill> choose_fill(const PatchSides& sides) const;
@@ -78,7 +86,9 @@ class PatchSearch {
   StampedMap<char> seen_;
   std::span<const std::uint64_t> refused_;
   bool met_refused_ = false;
-  std::vector<VertexId> path_, nearest_path_, ring_, rim_;
+  PatchSides outer_;  // by the outer angles, of the last stage; no sides if not walked
+  std::vector<std::vector<VertexId>> paths_;  // to the partners, nearest first
+  std::vector<VertexId> ring_, rim_;
 };
 
 }  // namespace quarry

@@ -193,6 +193,45 @@ TEST(PatchFill, ClosesUnequalSidesWithAPair) {
   EXPECT_GT(filled, 150);
 }
 
+// The lengths of the sides after those whose bits are set have been pushed outwards.
+Lengths pushed(Lengths lengths, std::uint32_t sides) {
+  const std::size_t n = lengths.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    if ((sides >> i & 1U) == 0) continue;
+    ++lengths[(i + 1) % n];
+    ++lengths[(i + n - 1) % n];
+  }
+  return lengths;
+}
+
+TEST(PatchFill, FindsAFillByPushingTheSidesThatItNames) {
+  const std::uint64_t seed = 41;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  Dice dice(seed);
+  int helped = 0;
+  for (int round = 0; round < 3000; ++round) {
+    Lengths lengths(std::array<std::size_t, 4>{3, 4, 5, 6}[dice.between(0, 3)]);
+    for (std::uint32_t& length : lengths) length = dice.between(1, 9);
+    const auto solved = [&] {
+      bool found = solve_fill(lengths).has_value();
+      for (std::uint8_t first = 0; lengths.size() == 4 && first < 4; ++first)
+        found = found || solve_pair(lengths, first).has_value();
+      return found;
+    };
+    if (solved() || sides_to_push(lengths) == 0) continue;
+    ++helped;
+    for (int i = 0; i < 20 && !solved(); ++i) lengths = pushed(lengths, sides_to_push(lengths));
+    EXPECT_TRUE(solved()) << lengths.size() << " sides";
+  }
+  EXPECT_GT(helped, 200);
+}
+
+TEST(PatchFill, PushesNothingWhereTheParityIsWrong) {
+  EXPECT_EQ(sides_to_push(Lengths{1, 1, 4}), 1U << 2);
+  EXPECT_EQ(sides_to_push(Lengths{1, 2, 4}), 0U);
+  EXPECT_EQ(sides_to_push(Lengths{2, 2, 3, 2}), 0U);
+}
+
 TEST(PatchPlacement, PutsAGridOfASquareOnItsLattice) {
   const Lengths lengths{4, 3, 4, 3};
   PatchLayout layout;
