@@ -4,8 +4,8 @@
 #include <chrono>
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,10 +18,14 @@
 #include <boost/graph/maximum_weighted_matching.hpp>
 #endif
 
+#include "engine/base/random.hpp"
+#include "engine/mesh/compact.hpp"
 #include "engine/parallel/parallel.hpp"
 #include "kernels/initial/delaunay.hpp"
+#include "kernels/initial/triangulation.hpp"
 #include "kernels/matching/matching.hpp"
 #include "kernels/matching/merge_join.hpp"
+#include "kernels/matching/short_ways.hpp"
 #include "kernels/matching/spanning_forest.hpp"
 #include "kernels/matching/subtree_parity.hpp"
 #include "kernels/quality/face.hpp"
@@ -37,10 +41,45 @@ double seconds_of(auto&& work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
 }
 
-// About so many triangles of a square, evened out by halving one outer edge.
-Mesh even_mesh(double triangles, double jitter) {
+enum class Points { kRelaxed, kRows };
+
+// The Delaunay triangulation of about so many points of a square: one drawn in each cell of a grid and three
+// times moved to the mean of those around it, which gives the irregular valences that meshers give.
+Mesh relaxed_mesh(double triangles) {
+  const auto side = static_cast<std::uint64_t>(std::sqrt(0.5 * triangles));
+  std::vector<Vec2> points(side * side);
+  for (std::uint64_t i = 0; i < points.size(); ++i) {
+    const std::uint64_t row = i / side, column = i % side;
+    const bool rim = row == 0 || column == 0 || row + 1 == side || column + 1 == side;
+    const double reach = rim ? 0 : 0.95;
+    points[i] = {static_cast<double>(column) + reach * (uniform01(1, 2 * i) - 0.5),
+                 static_cast<double>(row) + reach * (uniform01(1, 2 * i + 1) - 0.5)};
+  }
+  for (int round = 0; round < 3; ++round) {
+    const Mesh mesh = delaunay_triangulation(points);
+    const std::vector<Vec2> before = points;
+    parallel::for_each(points.size(), [&](std::size_t i) {
+      if (mesh.on_boundary(VertexId(i))) return;
+      Vec2 sum;
+      int count = 0;
+      for_each_side_around(mesh, VertexId(i), [&](SideId s) {
+        sum = sum + (before[mesh.target(s).value()] - before[i]);
+        ++count;
+      });
+      points[i] = before[i] + (1.0 / count) * sum;
+    });
+  }
+  Mesh mesh = delaunay_triangulation(points);
+  compact(mesh, EntityOrder::kHilbert);
+  return mesh;
+}
+
+// Evened out by halving one outer edge.
+Mesh even_mesh(double triangles, Points points) {
   const double width = std::sqrt(triangles * kTriangleArea);
-  Mesh mesh = make_delaunay({{0, 0}, {width, width}}, {.spacing = 1, .jitter = jitter, .seed = 1});
+  Mesh mesh = points == Points::kRelaxed
+                  ? relaxed_mesh(triangles)
+                  : make_delaunay({{0, 0}, {width, width}}, {.spacing = 1, .jitter = 0.25, .seed = 1});
   auto tags = ConstraintTags::add_to(mesh);
   MatchingReport report;
   NodedLines lines;
@@ -67,11 +106,11 @@ Quality quality_of(const Mesh& mesh) {
 }
 
 struct Run {
-  double shapes = 0, forest = 0, parity = 0, search = 0, merge = 0;
+  double shapes = 0, ways = 0, forest = 0, parity = 0, search = 0, merge = 0;
   std::uint64_t steiner = 0;
   JoinSearchReport searched;
   Quality quality;
-  [[nodiscard]] double tree() const { return shapes + forest + parity; }
+  [[nodiscard]] double tree() const { return shapes + ways + forest + parity; }
 };
 
 Run run_matching(Mesh mesh, const MatchingOptions& options) {
@@ -81,7 +120,12 @@ Run run_matching(Mesh mesh, const MatchingOptions& options) {
   SpanningForest forest;
   DualArcs join;
   run.shapes = seconds_of([&] { shapes = pair_shapes(mesh, tags); });
-  run.forest = seconds_of([&] { forest = maximum_spanning_forest(mesh, shapes); });
+  std::vector<float> worths;
+  run.ways = seconds_of([&] {
+    worths =
+        options.start == MatchingStart::kShapes ? shapes : short_way_worths(mesh, shapes, options.short_ways);
+  });
+  run.forest = seconds_of([&] { forest = maximum_spanning_forest(mesh, worths); });
   run.parity = seconds_of([&] { join = subtree_parity_join(mesh, forest.arcs); });
   run.search = seconds_of([&] {
     if (!options.search) return;
@@ -151,69 +195,75 @@ Peer weighted(const Mesh& mesh) {
 }
 #endif
 
+double percent(std::uint64_t part, std::size_t whole) {
+  return 100.0 * static_cast<double>(part) / static_cast<double>(whole);
+}
+
 void print_first_table(double largest, int threads) {
-  fmt::print("Matching alone, {} threads. Tree: weights, spanning forest, parity. Search: descent.\n\n",
-             threads);
   fmt::print(
-      "| triangles | tree s | of it forest | search s | moves looked at | Steiner, % of nodes | mean SJ | "
-      "smallest SJ | merge s | Boost cardinality s | slower than tree | than tree and search |\n"
-      "|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+      "Matching alone, {} threads, random points relaxed. Tree: shapes, short ways, forest, parity. Search: "
+      "descent.\n\n| triangles | shapes s | short ways s | forest s | parity s | tree s | search s | "
+      "Steiner, % of "
+      "nodes | mean SJ | smallest SJ | merge s | Boost cardinality s | slower than tree | than tree and "
+      "search "
+      "|\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n",
+      threads);
   for (double triangles = 1e3; triangles <= 1.01 * largest; triangles *= 10) {
-    const Mesh shape = even_mesh(triangles, 0.25);
-    const std::size_t faces = shape.face_slots(), nodes = shape.vertex_slots();
-    const Run run = run_matching(even_mesh(triangles, 0.25), MatchingOptions());
-    std::string peer = "| | |";
+    Mesh mesh = even_mesh(triangles, Points::kRelaxed);
+    const std::size_t faces = mesh.face_slots(), nodes = mesh.vertex_slots();
+    double boost = 0;
 #ifdef QUARRY_BOOST_GRAPH
-    if (triangles < 2e5) {
-      const Peer boost = cardinality(shape);
-      peer = fmt::format("{:.3f} | {:.0f} | {:.0f} |", boost.seconds, boost.seconds / run.tree(),
-                         boost.seconds / (run.tree() + run.search));
-    }
+    if (triangles < 2e5) boost = cardinality(mesh).seconds;
 #endif
-    fmt::print("| {} | {:.4f} | {:.4f} | {:.4f} | {} | {:.2f} | {:.4f} | {:.4f} | {:.4f} | {}\n", faces,
-               run.tree(), run.forest, run.search, run.searched.evaluated,
-               100.0 * static_cast<double>(run.steiner) / static_cast<double>(nodes), run.quality.mean,
-               run.quality.smallest, run.merge, peer);
+    const Run run = run_matching(std::move(mesh), MatchingOptions());
+    fmt::print(
+        "| {} | {:.4f} | {:.4f} | {:.4f} | {:.4f} | {:.4f} | {:.4f} | {:.2f} | {:.4f} | {:.4f} | {:.4f} |",
+        faces, run.shapes, run.ways, run.forest, run.parity, run.tree(), run.search,
+        percent(run.steiner, nodes), run.quality.mean, run.quality.smallest, run.merge);
+    if (boost > 0)
+      fmt::print(" {:.3f} | {:.0f} | {:.0f} |\n", boost, boost / run.tree(),
+                 boost / (run.tree() + run.search));
+    else
+      fmt::print(" | | |\n");
     std::fflush(stdout);
   }
 }
 
 void print_weighted_row() {
 #ifdef QUARRY_BOOST_GRAPH
-  const Mesh mesh = even_mesh(1500, 0.25);
+  Mesh mesh = even_mesh(1600, Points::kRelaxed);
+  const std::size_t faces = mesh.face_slots();
   const Peer boost = weighted(mesh);
-  const Run run = run_matching(even_mesh(1500, 0.25), MatchingOptions());
+  const Run run = run_matching(std::move(mesh), MatchingOptions());
   fmt::print(
       "\nAt {} triangles Boost's weighted matching takes {:.2f} s: mean SJ {:.4f}, smallest {:.4f}, {} "
       "triangles left. Tree and search: {:.4f} s, mean {:.4f} ({:+.2f} %), smallest {:.4f}, {} Steiner "
       "points.\n",
-      mesh.face_slots(), boost.seconds, boost.mean, boost.smallest, mesh.face_slots() - 2 * boost.pairs,
-      run.tree() + run.search, run.quality.mean, 100 * (run.quality.mean / boost.mean - 1),
-      run.quality.smallest, run.steiner);
+      faces, boost.seconds, boost.mean, boost.smallest, faces - 2 * boost.pairs, run.tree() + run.search,
+      run.quality.mean, 100 * (run.quality.mean / boost.mean - 1), run.quality.smallest, run.steiner);
 #endif
 }
 
 void print_second_table() {
   fmt::print(
-      "\nSteiner points in % of the nodes.\n\n"
-      "| nodes | jitter | tree alone | descent | s | mean SJ | 100 sweeps | s | mean SJ | 300 sweeps | s | "
-      "mean SJ |\n"
-      "|---|---|---|---|---|---|---|---|---|---|---|---|\n");
-  for (const double nodes : {2e3, 1e4, 5e4}) {
-    for (const double jitter : {0.1, 0.25}) {
-      const Mesh shape = even_mesh(2 * nodes, jitter);
-      const auto count = static_cast<double>(shape.vertex_slots());
-      fmt::print("| {} | {} ", shape.vertex_slots(), jitter);
+      "\nSteiner points in % of the nodes; tree: the forest by shapes alone; then by short ways.\n\n"
+      "| points | nodes | shapes | short ways | descent | s | mean SJ | 300 sweeps | s | mean SJ |\n"
+      "|---|---|---|---|---|---|---|---|---|---|\n");
+  for (const Points points : {Points::kRelaxed, Points::kRows}) {
+    for (const double nodes : {2.2e3, 1e4, 5e4}) {
+      const std::size_t count = even_mesh(2 * nodes, points).vertex_slots();
+      fmt::print("| {} | {} ", points == Points::kRelaxed ? "relaxed" : "in rows", count);
       MatchingOptions options;
       options.search = false;
-      const Run tree = run_matching(even_mesh(2 * nodes, jitter), options);
-      fmt::print("| {:.2f} ", 100 * static_cast<double>(tree.steiner) / count);
+      for (const MatchingStart start : {MatchingStart::kShapes, MatchingStart::kShortWays}) {
+        options.start = start;
+        fmt::print("| {:.2f} ", percent(run_matching(even_mesh(2 * nodes, points), options).steiner, count));
+      }
       options.search = true;
-      for (const int sweeps : {0, 100, 300}) {
+      for (const int sweeps : {0, 300}) {
         options.searching.annealing_sweeps = sweeps;
-        const Run run = run_matching(even_mesh(2 * nodes, jitter), options);
-        fmt::print("| {:.2f} | {:.3f} | {:.4f} ", 100 * static_cast<double>(run.steiner) / count, run.search,
-                   run.quality.mean);
+        const Run run = run_matching(even_mesh(2 * nodes, points), options);
+        fmt::print("| {:.2f} | {:.3f} | {:.4f} ", percent(run.steiner, count), run.search, run.quality.mean);
       }
       fmt::print("|\n");
       std::fflush(stdout);

@@ -23,6 +23,12 @@ void better_triangles(Mesh& mesh, const NodedLines& lines, const MatchingOptions
   report.smoothing.push_back(smooth_laplacian(mesh, lines, options.smoothing, progress));
 }
 
+std::vector<std::uint32_t> invalid_faces(const Mesh& mesh) {
+  return parallel::filter_indices(mesh.face_slots(), [&](std::size_t i) {
+    return mesh.alive(FaceId(i)) && !all_corners_turn_left(mesh, FaceId(i));
+  });
+}
+
 void smooth(Mesh& mesh, const NodedLines& lines, const MatchingOptions& options, MatchingReport& report,
             const Progress& progress) {
   for (int round = 0; round < options.opening_rounds; ++round) {
@@ -36,13 +42,9 @@ void smooth(Mesh& mesh, const NodedLines& lines, const MatchingOptions& options,
     if (report.rings.back().won == 0) break;
     report.smoothing.push_back(optimise_shape(mesh, lines, options.shape, progress));
   }
-  report.optimise = optimise_corners(mesh, lines, options.optimise, progress);
-}
-
-std::vector<std::uint32_t> invalid_faces(const Mesh& mesh) {
-  return parallel::filter_indices(mesh.face_slots(), [&](std::size_t i) {
-    return mesh.alive(FaceId(i)) && !all_corners_turn_left(mesh, FaceId(i));
-  });
+  report.invalid = invalid_faces(mesh).size();
+  // The optimiser expects valid quads.
+  if (report.invalid == 0) report.optimise = optimise_corners(mesh, lines, options.optimise, progress);
 }
 
 }  // namespace
@@ -85,7 +87,6 @@ Mesh make_quads_by_matching(Mesh&& triangles, const NodedLines& lines, const Mat
   mesh = merge_join(std::move(mesh), join);
   smooth(mesh, lines, options, report, progress);
   report.quads = mesh.face_slots();
-  report.invalid = invalid_faces(mesh).size();
   if (options.require_valid) require_convex_quads(mesh);
   return mesh;
 }

@@ -46,7 +46,7 @@ Ends constraints_of(const Mesh& mesh) {
 double area_of(const Mesh& mesh) {
   double doubled = 0;
   for (const FaceId f : mesh.faces())
-    for (int k = 0; k < mesh.corner_count(f); ++k)
+    for (int k = 0; mesh.alive(f) && k < mesh.corner_count(f); ++k)
       doubled += cross(mesh.point(mesh.origin(SideId(f, k))), mesh.point(mesh.target(SideId(f, k))));
   return 0.5 * doubled;
 }
@@ -126,6 +126,33 @@ TEST(Matching, MakesEveryRegionEvenByHalvingEdgesThatLieOnTheirPieces) {
     }
   }
   EXPECT_GT(odd, 0U);
+}
+
+double constrained_length(const Mesh& mesh) {
+  double sum = 0;
+  for (const auto& [a, b] : constraints_of(mesh)) sum += distance(mesh.point(a), mesh.point(b));
+  return sum;
+}
+
+TEST(Matching, KeepsLinesThroughSmoothingOpeningsAndRings) {
+  std::uint64_t openings = 0, rings = 0;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    test::SyntheticMesh made = test::make_synthetic({.seed = seed, .crooked_lines = 20});
+    const double length = constrained_length(made.mesh);
+    const double area = area_of(made.mesh);
+    MatchingReport report;
+    const Mesh quads =
+        make_quads_by_matching(std::move(made.mesh), made.lines, counting(), report, Progress());
+    EXPECT_EQ(validate(quads, GeometryCheck::kNone), "");
+    EXPECT_TRUE(all_quads(quads));
+    EXPECT_NEAR(constrained_length(quads), length, 1e-6 * length);
+    EXPECT_NEAR(area_of(quads), area, 1e-5);
+    for (const PassReport& pass : report.openings) openings += pass.won;
+    for (const PassReport& pass : report.rings) rings += pass.won;
+  }
+  EXPECT_GT(openings, 0U);
+  EXPECT_GT(rings, 0U);
 }
 
 TEST(Matching, MakesTheSameQuadsOnAnyNumberOfThreads) {
