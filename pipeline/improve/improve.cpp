@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <optional>
+#include <memory>
 #include <utility>
 
 #include <fmt/format.h>
@@ -16,6 +16,7 @@
 #include "kernels/field/size_field.hpp"
 #include "kernels/smooth/optimise.hpp"
 #include "kernels/smooth/optimise_shape.hpp"
+#include "pipeline/improve/input_size.hpp"
 #include "pipeline/improve/tagged_lines.hpp"
 #include "pipeline/improve/untangle.hpp"
 
@@ -111,6 +112,7 @@ class ImproveJob {
     result_.pieces = lines_.lines.pieces.size();
     clock_.start("untangling");
     untangle_faces();
+    find_size();
     clock_.start("clean-up");
     clean_up_quads();
     clock_.start("smoothing");
@@ -176,6 +178,14 @@ class ImproveJob {
     if (result_.invalid > 0) untangle(result_.mesh, lines_.lines, progress_);
   }
 
+  // Sizes that drift with each change of the topology would end anywhere.
+  void find_size() {
+    if (options_.size)
+      size_ = std::make_unique<UniformSize>(*options_.size);
+    else
+      size_ = std::make_unique<InputSize>(result_.mesh);
+  }
+
   void clean_up_quads() {
     CleanUpOptions options;
     options.level = options_.cleanup;
@@ -184,14 +194,15 @@ class ImproveJob {
         std::clamp(result_.before.all.scaled_jacobian.min, options.patches.least_jacobian, kHighestFloor);
     options.local.floor = floor;
     options.patches.least_jacobian = floor;
+    options.between.size = size_.get();
+    options.shape.size = size_.get();
     clean_up(result_.mesh, lines_.lines, options, result_.clean_up, progress_);
   }
 
   void smooth() {
     ShapeOptions shape;
     shape.sweeps = kShapeSweeps;
-    std::optional<UniformSize> size;
-    if (options_.size) shape.size = &size.emplace(*options_.size);
+    shape.size = size_.get();
     result_.smoothing = optimise_shape(result_.mesh, lines_.lines, shape, progress_);
     OptimiseOptions worst;
     worst.sweeps = kCornerSweeps;
@@ -239,6 +250,7 @@ class ImproveJob {
   ImproveResult result_;
   std::vector<TaggedEdge> tagged_;
   TaggedLines lines_;
+  std::unique_ptr<SizeField> size_;
   Lengths lengths_;
   std::size_t lost_ = 0;
 };
