@@ -12,6 +12,7 @@
 #include "engine/parallel/parallel.hpp"
 #include "kernels/matching/merge_join.hpp"
 #include "kernels/matching/spanning_forest.hpp"
+#include "kernels/matching/whole_outline.hpp"
 #include "tests/kernels/matching/triangle_meshes.hpp"
 #include "tests/support/charge.hpp"
 #include "tests/support/mesh_arrays.hpp"
@@ -188,6 +189,56 @@ TEST(Matching, LeavesNothingInvertedWithoutConstraints) {
     EXPECT_EQ(boundary_of(quads), boundary);
     EXPECT_EQ(report.parity.halved_edges, 0U);
   }
+}
+
+// A lattice of square cells whose outline has a node at every third vertex of the rim; the others slide.
+struct Outlined {
+  Mesh mesh;
+  NodedLines lines;
+};
+Outlined outlined_lattice(std::uint32_t columns, std::uint32_t rows) {
+  Outlined made{test::triangle_lattice(3 * columns, 3 * rows), {}};
+  auto tags = ConstraintTags::add_to(made.mesh);
+  // Along the rim, from node to node.
+  SideId s = made.mesh.side_of(VertexId(std::size_t{0}));
+  const std::uint32_t pieces = 2 * (columns + rows);
+  for (std::uint32_t i = 0; i < 3 * pieces; ++i) {
+    tags.set_constrained(s, true);
+    const VertexId v = made.mesh.origin(s);
+    if (i % 3 == 0) {
+      tags.support[v] = Support::at(made.lines.nodes.push_back(made.mesh.point(v)));
+      made.lines.pieces.push_back({NodeId(i / 3), NodeId((i / 3 + 1) % pieces), PieceKindOf::kOutline});
+    } else {
+      tags.support[v] = Support::on(PieceId(i / 3));
+    }
+    s = made.mesh.side_of(made.mesh.target(s));
+  }
+  made.lines.line_begin.assign(pieces + 1, 0);
+  return made;
+}
+
+TEST(WholeOutline, KeepsItsOwnVerticesAlone) {
+  for (const int threads : {1, 4}) {
+    Outlined made = outlined_lattice(5, 4);
+    const double area = area_of(made.mesh);
+    parallel::with_threads(threads, [&] {
+      const PassReport report = make_outline_whole(made.mesh, made.lines, Progress());
+      EXPECT_EQ(report.won, 36U);
+    });
+    EXPECT_EQ(validate(made.mesh, GeometryCheck::kPlanarCorners), "");
+    EXPECT_NEAR(area_of(made.mesh), area, 1e-9);
+    EXPECT_EQ(boundary_of(made.mesh).size(), 18U);
+    EXPECT_EQ(constraints_of(made.mesh).size(), 18U);
+  }
+}
+
+TEST(WholeOutline, BecomesQuadsWithTheOutlinesVerticesAlone) {
+  Outlined made = outlined_lattice(5, 4);
+  (void)make_outline_whole(made.mesh, made.lines, Progress());
+  MatchingReport report;
+  const Mesh quads = make_quads_by_matching(std::move(made.mesh), made.lines, frozen(), report, Progress());
+  EXPECT_EQ(validate(quads, GeometryCheck::kPlanarCorners), "");
+  EXPECT_EQ(boundary_of(quads).size(), 18U);
 }
 
 TEST(Openings, GiveAStraightCornerASecondQuad) {
