@@ -56,7 +56,8 @@ bool PatchSearch::grow(const std::vector<VertexId>& path, Direction direction, C
     ++report.stages;
     fits = try_stage(found, report);
     if (fits || met_refused_) break;
-    if (!direction.to.valid() || !push_sides(growing)) growing = add_ring(direction);
+    if (direction.to.valid() && push_sides(growing)) continue;
+    growing = direction.to == direction.from ? add_row() : add_ring(direction);
   }
   report.grown_faces += growth_.faces().size();
   return fits;
@@ -74,6 +75,45 @@ bool PatchSearch::add_ring(Direction limit) {
     if (!growth_.add_star(v)) return false;
   }
   return growth_.faces().size() > before;
+}
+
+// False if nothing can be added.
+bool PatchSearch::add_row() {
+  const Direction everywhere{growth_.vertices().front(), VertexId()};
+  if (!growth_.is_disk()) return add_ring(everywhere);
+  growth_.walk_rim(rim_);
+  const auto corner =
+      std::find_if(rim_.begin(), rim_.end(), [&](VertexId v) { return growth_.outer_angle(v) > 0; });
+  if (corner == rim_.end()) return add_ring(everywhere);
+  std::rotate(rim_.begin(), corner, rim_.end());
+  Row best;
+  for (std::size_t begin = 0; begin < rim_.size();) {
+    const Row row = row_along(begin);
+    if (row.faces > 0 &&
+        (row.worth() > best.worth() || (row.worth() == best.worth() && row.faces > best.faces)))
+      best = row;
+    begin = row.end;
+  }
+  for (std::size_t k = best.begin; k < best.end; ++k)
+    if (!growth_.add_across(rim_[k], rim_[(k + 1) % rim_.size()])) return false;
+  return best.faces > 0;
+}
+
+// The faces across the edges from a corner to the next.
+PatchSearch::Row PatchSearch::row_along(std::size_t begin) const {
+  Row row{begin, begin, 0, 0};
+  do {
+    const SideId across =
+        mesh_->neighbour(mesh_->find_side(rim_[row.end], rim_[(row.end + 1) % rim_.size()]));
+    ++row.end;
+    if (!across.valid() || mesh_->corner_count(across.face()) != 4) continue;
+    ++row.faces;
+    for (int k = 0; k < 4; ++k) {
+      const VertexId v = mesh_->corner(across.face(), k);
+      if (!growth_.contains(v)) row.energy += stars_->energy(*mesh_, v, stars_->faces(v));
+    }
+  } while (row.end < rim_.size() && growth_.outer_angle(rim_[row.end]) <= 0);
+  return row;
 }
 
 bool PatchSearch::push_sides(bool& growing) {

@@ -3,10 +3,11 @@
 //
 // The patch starts with the faces around the path to another irregular vertex, grows until it is convex, and
 // then ring by ring until some rule for corners gives a fill that lowers the valence energy
-//   sum over patch and rim of w(faces - ideal),  w(1) = 1, w(j) = j^2
-// or it is too large. Where that fails the next partner is tried, and at last growth on one side of the seed
-// only: growing all around adds the same to every side, so that a wrong parity stays wrong. A patch never
-// contains a triangle, nor a vertex inside that is bound to its place.
+//   sum over patch and rim of w(faces - ideal),  w(j) = j^2
+// or it is too large. Where that fails the next partner is tried. Rings all around add the same to every
+// side, so that a wrong parity stays wrong, and near lines they soon meet too many corners: at last the
+// patches grow by single rows, towards irregular vertices, and then on one side of the seed only. A patch
+// never contains a triangle, nor a vertex inside that is bound to its place.
 #pragma once
 
 #include <array>
@@ -55,6 +56,12 @@ class PatchSearch {
     double gain = 0;
   };
 
+  // Faces along the rim from place begin to place end.
+  struct Row {
+    std::size_t begin = 0, end = 0, faces = 0;
+    double energy = 0;  // of the vertices that they would bring in, those of two faces twice
+    [[nodiscard]] double worth() const { return faces > 0 ? energy / static_cast<double>(faces) : -1; }
+  };
   // Rings are added only where they lie in this direction from the first vertex on; all around if both are
   // the same. Without a second vertex sides are not pushed either.
   struct Direction {
@@ -64,6 +71,9 @@ class PatchSearch {
   [[nodiscard]] bool grow(const std::vector<VertexId>& path, Direction direction, Candidate& found,
                           PatchReport& report);
   [[nodiscard]] bool add_ring(Direction limit);
+  // Adds the one row along a side that brings in most energy for its faces; of equals the longest.
+  [[nodiscard]] bool add_row();
+  [[nodiscard]] Row row_along(std::size_t begin) const;
   // Adds a row along each side whose pushing lengthens a spoke that is too short. False if there is none.
   [[nodiscard]] bool push_sides(bool& growing);
   [[nodiscard]] bool try_stage(Candidate& found, PatchReport& report);
