@@ -5,6 +5,9 @@
 #include <span>
 #include <vector>
 
+#include <fmt/format.h>
+
+#include "engine/base/error.hpp"
 #include "engine/geometry/predicates.hpp"
 #include "kernels/quality/element.hpp"
 
@@ -209,6 +212,15 @@ PassReport make_outline_whole(Mesh& mesh, const NodedLines& lines, const Progres
   for (const std::uint32_t i : found) work.emplace_back(i);
   PassReport report = run_pass(mesh, operation, std::move(work), PassOptions(), progress);
   report.name = "vertices taken out of the outline";
+  for (const VertexId v : mesh.vertices()) {
+    if (!operation.concerns(mesh, v)) continue;
+    const Vec2 p = mesh.point(v);
+    throw Error(
+        ErrorKind::kGeometry,
+        fmt::format("the outline needs a vertex at {}, which it does not have: add one, or mesh without "
+                    "--keep-boundary",
+                    format_point(p.x, p.y)));
+  }
   return report;
 }
 

@@ -11,8 +11,8 @@ namespace quarry {
 
 // Removes each boundary vertex that slides on a piece of kind kOutline; what was joined to it is triangulated
 // anew, best triangle first, with the straight edge between its neighbours on the piece as a side. Planar
-// triangle meshes with ConstraintTags, after remove_outside. A vertex stays where exact arithmetic finds no
-// valid triangulation; report.won tells how many went. Leaves tombstones. No vertex moves.
+// triangle meshes with ConstraintTags, after remove_outside. Leaves tombstones. No vertex moves. Throws
+// Error(kGeometry) with the place of a vertex without which no valid triangles are left.
 PassReport make_outline_whole(Mesh& mesh, const NodedLines& lines, const Progress& progress);
 
 }  // namespace quarry

@@ -65,9 +65,9 @@ void add_shape_options(CLI::App& command, MeshArguments& arguments) {
       "default full, or none with --preset paper")
       ->check(one_of({"none", "local", "full", "fewest"}));
   command
-      .add_flag(
-          "--keep-boundary", arguments.keep_boundary,
-          "the outline's own vertices are the boundary's vertices: none added, none moved; not built yet")
+      .add_flag("--keep-boundary", arguments.keep_boundary,
+                "the outline's own vertices are the boundary's vertices: none added, none moved; with "
+                "--quads matching or --elements tri")
       ->group("Elements");
 }
 
@@ -107,7 +107,6 @@ double parse_degrees(const std::string& text) {
 void refuse_what_is_not_built(const MeshArguments& arguments) {
   if (arguments.elements == "mixed") fail_not_built("--elements mixed", "use quad or tri");
   if (arguments.method != "deferred") fail_not_built("--method " + arguments.method, "use deferred");
-  if (arguments.keep_boundary) fail_not_built("--keep-boundary");
   if (!arguments.size_field.empty()) fail_not_built("--size-field", "use --size or --count");
 }
 
@@ -186,6 +185,9 @@ void fill_section(MeshArguments& arguments) {
   refuse_what_is_not_built(arguments);
   section.elements = arguments.elements == "tri" ? Elements::kTriangle : Elements::kQuad;
   section.preset = arguments.preset == "paper" ? Preset::kPaper : Preset::kDefault;
+  section.keep_boundary = arguments.keep_boundary;
+  if (arguments.keep_boundary && arguments.elements == "quad" && arguments.quads != "matching")
+    throw Error(ErrorKind::kUsage, "--keep-boundary needs --quads matching: clusters halve every edge");
   section.quads = arguments.quads == "matching" ? QuadMethod::kMatching : QuadMethod::kCluster;
   fill_start(arguments);
   if (!arguments.cleanup.empty()) section.cleanup = clean_up_level_of(arguments.cleanup);

@@ -38,6 +38,8 @@ struct SectionOptions {
   // says (none, or 4 as published).
   std::optional<int> fronts;
   QuadMethod quads = QuadMethod::kCluster;
+  // The boundary has the outline's own vertices alone: none added, none moved. With matching.
+  bool keep_boundary = false;
   // Topological clean-up of quads; unset: full, or none with the published procedure.
   std::optional<CleanUpLevel> cleanup;
   std::uint64_t seed = 0;

@@ -14,6 +14,7 @@
 #include "io/lines/line_reader.hpp"
 #include "kernels/deferred/deferred.hpp"
 #include "kernels/local/better_flips.hpp"
+#include "kernels/matching/whole_outline.hpp"
 #include "kernels/smooth/laplacian.hpp"
 #include "pipeline/section/start.hpp"
 
@@ -89,6 +90,7 @@ void insert(const SectionOptions& options, SectionResult& result, const Progress
 void match_to_quads(const SectionOptions& options, SectionResult& result, const Progress& progress) {
   MatchingOptions matching;
   matching.searching.seed = options.seed;
+  matching.keep_boundary = options.keep_boundary;
   // What is inverted still may be mended by the clean-up.
   matching.require_valid = clean_up_level(options) == CleanUpLevel::kNone;
   result.mesh = make_quads_by_matching(std::move(result.mesh), result.cleaned.lines, matching,

@@ -67,6 +67,7 @@ std::vector<ReportItem> resolved_options(const SectionOptions& options, const Se
           {"preset", std::string(options.preset == Preset::kPaper ? "paper" : "default")},
           {"fronts", whole(static_cast<std::uint64_t>(front_steps(options)))},
           {"quads", std::string(options.quads == QuadMethod::kMatching ? "matching" : "cluster")},
+          {"keep-boundary", whole(options.keep_boundary ? 1 : 0)},
           {"cleanup", std::string(name_of(clean_up_level(options)))},
           {"seed", whole(options.seed)}};
 }

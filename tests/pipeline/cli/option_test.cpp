@@ -68,7 +68,7 @@ TEST(CommandLine, UnknownOutputExtensionsAreToldBeforeTheWork) {
 TEST(CommandLine, WhatIsNotBuiltSaysSo) {
   const std::vector<std::vector<std::string>> values = {
       {"--method", "front"},     {"--method", "blocks"}, {"--elements", "mixed"},
-      {"--size-field", "s.tif"}, {"--keep-boundary"},
+      {"--size-field", "s.tif"},
   };
   for (const std::vector<std::string>& value : values) {
     std::vector<std::string> arguments = {"mesh", kDemoSection, "-o", "out.vtu", "--size", "20"};
