@@ -170,6 +170,7 @@ SectionResult mesh_section(const SectionOptions& options, const Progress& progre
   insert(options, result, progress);
   remove_outside(result.mesh, tags, result.cleaned.lines);
   split_pinches(result.mesh, tags);
+  if (options.keep_boundary) make_outline_whole(result.mesh, result.cleaned.lines, progress);
   compact(result.mesh, EntityOrder::kHilbert);
   if (options.elements == Elements::kQuad) {
     clock.start("quads");
