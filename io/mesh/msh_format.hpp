@@ -1,6 +1,6 @@
-// Gmsh .msh: written as 4.1 ASCII, read as 4.1 and 2.2 ASCII. Each region is a surface with the physical
-// group "region_<n>", each constraint line a curve with the group "line_<n>"; edges of the outer boundary are
-// in "outer_boundary" too. Field texts stand in the $Comments section.
+// Gmsh .msh: written as 4.1 ASCII, read as 4.1 and 2.2, ASCII and binary. Each region is a surface with the
+// physical group "region_<n>", each constraint line a curve with the group "line_<n>"; edges of the outer
+// boundary are in "outer_boundary" too. Field texts stand in the $Comments section.
 //
 // Format: Gmsh reference manual, "Gmsh file formats".
 #pragma once

@@ -9,6 +9,7 @@
 #include "io/mesh/group_name.hpp"
 #include "io/mesh/mapped_file.hpp"
 #include "io/mesh/msh_format.hpp"
+#include "io/mesh/number_index.hpp"
 #include "io/mesh/read_cells.hpp"
 #include "io/mesh/text_cursor.hpp"
 
@@ -52,10 +53,12 @@ class MshReader {
         new_format_ ? read_nodes() : read_old_nodes();
       else if (section == "$Elements")
         new_format_ ? read_elements() : read_old_elements();
+      seen_elements_ = seen_elements_ || section == "$Elements";
       skip_section(section);
     }
     if (!seen_format_)
       throw Error(ErrorKind::kInput, fmt::format("{}: no $MeshFormat: this is no Gmsh mesh", path_));
+    if (!seen_elements_) cursor_.fail("no $Elements: the file ends too early, or holds geometry alone");
     regions_.settle(cells_.regions, cells_.names.regions);
     lines_.settle(cells_.constraints, cells_.names.lines);
     return std::move(cells_);
@@ -79,10 +82,29 @@ class MshReader {
     new_format_ = version == "4.1";
     if (!new_format_ && version != "2.2" && version != "2.1" && version != "2")
       cursor_.fail(fmt::format("Gmsh format {} is not known; save as 4.1 or 2.2", version));
-    if (cursor_.number<int>("0 for ASCII") != 0)
-      cursor_.fail("a binary file; save it as ASCII (gmsh -save -bin 0)");
+    binary_ = cursor_.number<int>("0 for ASCII or 1 for binary") != 0;
+    if (cursor_.number<int>("a data size") != 8)
+      cursor_.fail("the data size is not 8: save it again with gmsh");
+    cursor_.line();
+    if (binary_ && cursor_.raw<std::int32_t>() != 1)
+      cursor_.fail(
+          "the bytes are in the order of another sort of machine; save it as ASCII (gmsh -save -bin 0)");
     seen_format_ = true;
   }
+
+  // Numbers as text, or as the format has them in its binary form: tags of entities, types and dimensions in
+  // four bytes, counts and tags of nodes and elements in eight (four in the old format).
+  std::int64_t integer(const char* what) {
+    return binary_ ? cursor_.raw<std::int32_t>() : cursor_.number<std::int64_t>(what);
+  }
+  std::int64_t size(const char* what) {
+    if (!binary_) return cursor_.number<std::int64_t>(what);
+    const auto value = cursor_.raw<std::uint64_t>();
+    if (value > std::numeric_limits<std::int64_t>::max() / 2)
+      cursor_.fail(fmt::format("{} is {}", what, value));
+    return static_cast<std::int64_t>(value);
+  }
+  double coordinate() { return binary_ ? cursor_.raw<double>() : cursor_.number<double>("a coordinate"); }
 
   void read_names() {
     for (auto left = cursor_.number<std::int64_t>("the number of names"); left > 0; --left) {
@@ -94,70 +116,72 @@ class MshReader {
 
   void read_entities() {
     std::int64_t counts[4];
-    for (std::int64_t& count : counts) count = cursor_.number<std::int64_t>("a number of entities");
+    for (std::int64_t& count : counts) count = size("a number of entities");
     for (int dimension = 0; dimension < 4; ++dimension)
       for (std::int64_t i = 0; i < counts[dimension]; ++i) {
-        const auto tag = cursor_.number<std::int64_t>("a tag");
-        for (int k = 0; k < (dimension == 0 ? 3 : 6); ++k) cursor_.number<double>("a coordinate");
+        const std::int64_t tag = integer("a tag");
+        for (int k = 0; k < (dimension == 0 ? 3 : 6); ++k) coordinate();
         std::vector<std::int64_t>& groups = groups_of_entity_[{dimension, tag}];
-        for (auto left = cursor_.number<std::int64_t>("a number of groups"); left > 0; --left)
-          groups.push_back(cursor_.number<std::int64_t>("a tag"));
-        cursor_.line();
+        for (auto left = size("a number of groups"); left > 0; --left) groups.push_back(integer("a tag"));
+        if (dimension == 0) continue;
+        for (auto left = size("a number of entities"); left > 0; --left) integer("a tag");
       }
   }
 
   void add_point(std::int64_t tag) {
-    const double x = cursor_.number<double>("a coordinate");
-    const double y = cursor_.number<double>("a coordinate");
-    const double z = cursor_.number<double>("a coordinate");
-    place_point(tag, {x, y, z});
+    if (!point_of_tag_.add(tag, static_cast<std::uint32_t>(cells_.x.size())))
+      cursor_.fail(fmt::format("node {} is given twice", tag));
+    cells_.x.push_back(coordinate());
+    cells_.y.push_back(coordinate());
+    cells_.z.push_back(coordinate());
   }
-  void place_point(std::int64_t tag, Vec3 p) {
-    if (tag < 0 || tag > std::int64_t{1} << 31) cursor_.fail(fmt::format("node tag {} is out of range", tag));
-    const auto slot = static_cast<std::size_t>(tag);
-    if (slot >= point_of_tag_.size()) point_of_tag_.resize(std::max(slot + 1, point_of_tag_.size() * 2));
-    point_of_tag_[slot] = VertexId(cells_.x.size());
-    cells_.x.push_back(p.x);
-    cells_.y.push_back(p.y);
-    cells_.z.push_back(p.z);
+
+  // The number of blocks; three totals follow it.
+  std::int64_t read_block_count() {
+    const std::int64_t blocks = size("the number of blocks");
+    for (int k = 0; k < 3; ++k) size("a total");
+    return blocks;
   }
 
   void read_nodes() {
-    auto blocks = cursor_.number<std::int64_t>("the number of blocks");
-    cursor_.line();
     std::vector<std::int64_t> tags;
-    for (; blocks > 0; --blocks) {
-      const int dimension = cursor_.number<int>("a dimension");
-      cursor_.number<std::int64_t>("a tag");
-      const bool parametric = cursor_.number<int>("0 or 1") != 0;
+    for (auto blocks = read_block_count(); blocks > 0; --blocks) {
+      const std::int64_t dimension = integer("a dimension");
+      integer("a tag");
+      const bool parametric = integer("0 or 1") != 0;
       tags.clear();
-      for (auto left = cursor_.number<std::int64_t>("a number of nodes"); left > 0; --left)
-        tags.push_back(cursor_.number<std::int64_t>("a node tag"));
+      for (auto left = size("a number of nodes"); left > 0; --left) tags.push_back(size("a node tag"));
       for (const std::int64_t tag : tags) {
         add_point(tag);
-        for (int k = 0; parametric && k < dimension; ++k) cursor_.number<double>("a parameter");
+        for (int k = 0; parametric && k < dimension; ++k) coordinate();
       }
     }
   }
 
-  void read_old_nodes() {
-    for (auto left = cursor_.number<std::int64_t>("the number of nodes"); left > 0; --left)
-      add_point(cursor_.number<std::int64_t>("a node tag"));
+  // The count is text in either form.
+  std::int64_t read_old_count(const char* what) {
+    const auto count = cursor_.number<std::int64_t>(what);
+    cursor_.line();
+    return count;
   }
 
-  VertexId read_corner() {
-    const auto tag = cursor_.number<std::int64_t>("a node tag");
-    const bool known = tag >= 0 && static_cast<std::size_t>(tag) < point_of_tag_.size() &&
-                       point_of_tag_[static_cast<std::size_t>(tag)].valid();
-    if (!known) cursor_.fail(fmt::format("node {} does not exist", tag));
-    return point_of_tag_[static_cast<std::size_t>(tag)];
+  void read_old_nodes() {
+    for (auto left = read_old_count("the number of nodes"); left > 0; --left)
+      add_point(integer("a node tag"));
+  }
+
+  VertexId corner(std::int64_t tag) const {
+    const std::uint32_t point = point_of_tag_.find(tag);
+    if (point == NumberIndex::kNone) cursor_.fail(fmt::format("node {} does not exist", tag));
+    return VertexId(point);
   }
 
   // numbers: of its groups, at least one; a face is in the first of them.
   void read_cell(int type, std::span<const std::int32_t> numbers) {
     FaceCorners corners;
     const int count = corner_count_of(type);
-    for (int k = 0; k < count; ++k) corners[static_cast<std::size_t>(k)] = read_corner();
+    for (int k = 0; k < count; ++k)
+      corners[static_cast<std::size_t>(k)] = corner(new_format_ ? size("a node tag") : integer("a node tag"));
     if (count >= 3) {
       cells_.faces.push_back(corners);
       cells_.regions.push_back(numbers.front());
@@ -200,35 +224,45 @@ class MshReader {
   }
 
   void read_elements() {
-    auto blocks = cursor_.number<std::int64_t>("the number of blocks");
-    cursor_.line();
-    for (; blocks > 0; --blocks) {
-      const int dimension = cursor_.number<int>("a dimension");
-      const auto entity = cursor_.number<std::int64_t>("a tag");
-      const int type = cursor_.number<int>("an element type");
+    for (auto blocks = read_block_count(); blocks > 0; --blocks) {
+      const auto dimension = static_cast<int>(integer("a dimension"));
+      const std::int64_t entity = integer("a tag");
+      const auto type = static_cast<int>(integer("an element type"));
       check_type(type);
       const std::vector<std::int32_t> numbers = numbers_of_entity(dimension, entity);
-      for (auto left = cursor_.number<std::int64_t>("a number of elements"); left > 0; --left) {
-        cursor_.number<std::int64_t>("an element tag");
+      for (auto left = size("a number of elements"); left > 0; --left) {
+        size("an element tag");
         read_cell(type, numbers);
       }
     }
   }
 
+  // One element; its tags begin with that of its group.
+  void read_old_element(int type, std::int64_t tags) {
+    std::int64_t group = 0;
+    for (std::int64_t k = 0; k < tags; ++k) {
+      const std::int64_t tag = integer("a tag");
+      if (k == 0) group = tag;
+    }
+    const int dimension = corner_count_of(type) > 2 ? 2 : 1;
+    const std::int32_t number = dimension == 1 && group == 0 ? -1 : number_of_group(dimension, group);
+    read_cell(type, {&number, 1});
+  }
+
   void read_old_elements() {
-    for (auto left = cursor_.number<std::int64_t>("the number of elements"); left > 0; --left) {
-      cursor_.number<std::int64_t>("an element tag");
-      const int type = cursor_.number<int>("an element type");
+    for (auto left = read_old_count("the number of elements"); left > 0;) {
+      if (!binary_) integer("an element tag");
+      const auto type = static_cast<int>(integer("an element type"));
       check_type(type);
-      std::int64_t group = 0;
-      const int tags = cursor_.number<int>("a number of tags");
-      for (int k = 0; k < tags; ++k) {
-        const auto tag = cursor_.number<std::int64_t>("a tag");
-        if (k == 0) group = tag;
+      // In the binary form elements of a sort come together.
+      const std::int64_t together = binary_ ? integer("a number of elements") : 1;
+      const std::int64_t tags = integer("a number of tags");
+      if (together < 1 || together > left) cursor_.fail(fmt::format("{} elements in a block", together));
+      for (std::int64_t i = 0; i < together; ++i) {
+        if (binary_) integer("an element tag");
+        read_old_element(type, tags);
       }
-      const int dimension = corner_count_of(type) > 2 ? 2 : 1;
-      const std::int32_t number = dimension == 1 && group == 0 ? -1 : number_of_group(dimension, group);
-      read_cell(type, {&number, 1});
+      left -= together;
     }
   }
 
@@ -236,10 +270,12 @@ class MshReader {
   TextCursor cursor_;
   ReadCells cells_;
   bool seen_format_ = false;
+  bool seen_elements_ = false;
   bool new_format_ = false;
+  bool binary_ = false;
   std::map<GroupKey, std::string> names_;
   std::map<GroupKey, std::vector<std::int64_t>> groups_of_entity_;
-  std::vector<VertexId> point_of_tag_;
+  NumberIndex point_of_tag_;
   GroupNumbers regions_ = region_numbers();
   GroupNumbers lines_ = line_numbers();
 };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <charconv>
+#include <cstring>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -35,6 +36,17 @@ class TextCursor {
     if (!digits.empty() && digits.front() == '+') digits.remove_prefix(1);
     const auto result = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     if (result.ec != std::errc() || result.ptr != digits.data() + digits.size()) fail_number(digits, what);
+    return value;
+  }
+
+  // The next bytes as a value of this machine's layout, for the binary parts of a file; an error at its end.
+  template <class Value>
+  Value raw() {
+    static_assert(std::is_arithmetic_v<Value>);
+    if (text_.size() - at_ < sizeof(Value)) fail("the file ends too early");
+    Value value;
+    std::memcpy(&value, text_.data() + at_, sizeof(Value));
+    at_ += sizeof(Value);
     return value;
   }
 

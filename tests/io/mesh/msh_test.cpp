@@ -56,7 +56,7 @@ TEST_F(Gmsh, WritesWhatCanBeRead) {
                    "SetFactory(\"OpenCASCADE\");\nRectangle(1) = {0, 0, 0, 2, 1};\n"
                    "Physical Surface(\"rock\") = {1};\nPhysical Curve(\"line_4\") = {1};\n"
                    "Mesh.MeshSizeMax = 0.2;\n");
-  for (const char* format : {"msh41", "msh22"}) {
+  for (const char* format : {"msh41", "msh22", "msh41 -bin", "msh22 -bin"}) {
     const std::string path = folder_.file("square.msh");
     const std::string said =
         output_of(std::string("gmsh -2 -format ") + format + " -o " + path + " " + geometry);
@@ -148,7 +148,84 @@ TEST(MshReader, NamesTheLineOfABrokenNumber) {
 TEST(MshReader, NamesANodeThatDoesNotExist) {
   expect_error("10 20 30 40\n", "10 20 31 40\n", "node 31 does not exist");
 }
-TEST(MshReader, RefusesBinaryFiles) { expect_error("2.2 0 8", "2.2 1 8", "a binary file; save it as ASCII"); }
+TEST(MshReader, RefusesBinaryFilesOfOtherMachines) {
+  expect_error("2.2 0 8\n", std::string("2.2 1 8\n\0\0\0\1\n", 13), "save it as ASCII");
+}
+TEST(MshReader, RefusesANodeThatIsGivenTwice) {
+  expect_error("20 1 0 0", "10 1 0 0", "node 10 is given twice");
+}
+
+// Bytes as a program of this machine writes them.
+class Bytes {
+ public:
+  template <class Number>
+  Bytes& add(std::initializer_list<Number> values) {
+    for (const Number value : values) text_.append(reinterpret_cast<const char*>(&value), sizeof(Number));
+    return *this;
+  }
+  Bytes& add(const std::string& text) {
+    text_ += text;
+    return *this;
+  }
+  [[nodiscard]] const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+};
+
+using Ints = std::initializer_list<std::int32_t>;
+using Sizes = std::initializer_list<std::uint64_t>;
+using Doubles = std::initializer_list<double>;
+
+constexpr const char* kNames = "$PhysicalNames\n2\n1 5 \"line_2\"\n2 6 \"region_1\"\n$EndPhysicalNames\n";
+
+void expect_square(const ReadCells& cells) {
+  EXPECT_EQ(cells.x, (std::vector<double>{0, 10, 10, 0}));
+  EXPECT_EQ(cells.y, (std::vector<double>{0, 0, 10, 10}));
+  ASSERT_EQ(cells.faces.size(), 1U);
+  EXPECT_EQ(cells.faces[0][2].value(), 2U);
+  EXPECT_EQ(cells.regions, (std::vector<std::int32_t>{1}));
+  ASSERT_EQ(cells.edges.size(), 1U);
+  EXPECT_EQ(cells.constraints, (std::vector<std::int32_t>{2}));
+}
+
+TEST(MshReader, ReadsTheOldFormatInBinary) {
+  Bytes file;
+  file.add("$MeshFormat\n2.2 1 8\n").add(Ints{1}).add("\n$EndMeshFormat\n").add(kNames).add("$Nodes\n4\n");
+  // 10 is the end of a line in text.
+  file.add(Ints{10}).add(Doubles{0, 0, 0}).add(Ints{2}).add(Doubles{10, 0, 0});
+  file.add(Ints{3}).add(Doubles{10, 10, 0}).add(Ints{4}).add(Doubles{0, 10, 0}).add("\n$EndNodes\n");
+  file.add("$Elements\n2\n").add(Ints{1, 1, 2, 1, 5, 1, 10, 2}).add(Ints{3, 1, 2, 2, 6, 1, 10, 2, 3, 4});
+  file.add("\n$EndElements\n");
+  const TemporaryFolder folder;
+  expect_square(read_cells(folder.file("a.msh", file.text())));
+}
+
+TEST(MshReader, ReadsTheNewFormatInBinary) {
+  Bytes file;
+  file.add("$MeshFormat\n4.1 1 8\n").add(Ints{1}).add("\n$EndMeshFormat\n").add(kNames);
+  file.add("$Entities\n").add(Sizes{1, 1, 1, 0}).add(Ints{7}).add(Doubles{0, 0, 0}).add(Sizes{0});
+  file.add(Ints{3})
+      .add(Doubles{0, 0, 0, 10, 10, 0})
+      .add(Sizes{1})
+      .add(Ints{5})
+      .add(Sizes{2})
+      .add(Ints{7, -7});
+  file.add(Ints{4}).add(Doubles{0, 0, 0, 10, 10, 0}).add(Sizes{1}).add(Ints{6}).add(Sizes{1}).add(Ints{3});
+  file.add("\n$EndEntities\n$Nodes\n").add(Sizes{1, 4, 1, 10}).add(Ints{2, 4, 0}).add(Sizes{4, 10, 2, 3, 4});
+  file.add(Doubles{0, 0, 0, 10, 0, 0, 10, 10, 0, 0, 10, 0})
+      .add("\n$EndNodes\n$Elements\n")
+      .add(Sizes{2, 2, 1, 2});
+  file.add(Ints{1, 3, 1}).add(Sizes{1, 1, 10, 2}).add(Ints{2, 4, 3}).add(Sizes{1, 2, 10, 2, 3, 4});
+  file.add("\n$EndElements\n");
+  const TemporaryFolder folder;
+  expect_square(read_cells(folder.file("a.msh", file.text())));
+  // Cut anywhere it is an error, and nothing worse.
+  for (std::size_t size = 0; size < file.text().size() - 1; ++size)
+    EXPECT_THROW(static_cast<void>(read_cells(folder.file("b.msh", file.text().substr(0, size)))), Error)
+        << size;
+}
+
 TEST(MshReader, RefusesUnknownVersions) {
   expect_error("2.2 0 8", "4.0 0 8", "Gmsh format 4.0 is not known");
 }
