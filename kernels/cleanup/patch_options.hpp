@@ -12,8 +12,11 @@ struct PatchOptions {
   std::size_t largest = 512;  // faces a patch may have: the size class
   int partners = 4;           // nearest irregular vertices that a seed is paired with, one after the other
   int directions = 4;  // then growth on one side of the seed only, along so many of its edges; 0: never
-  // Faces of a fill, as a share of those before.
+  // Faces of a fill, as a share of those before: near lines small patches need room to change, while large
+  // ones of another number of faces stretch many quads.
   double fewest_faces = 0.6, most_faces = 1.7;
+  double fewest_faces_of_large = 0.75, most_faces_of_large = 1.35;
+  std::size_t large = 128;  // more faces than these
   // The whole mesh: fills that take its number of faces further than these shares from `wanted_faces` (0:
   // those at the start) are left out.
   double most_growth = 0.1, most_shrinkage = 0.1;

@@ -159,16 +159,20 @@ bool PatchSearch::try_sides(const PatchSides& sides, Candidate& found, PatchRepo
   if (sides.count > kMostSides) return reject(PatchReject::kManySides);
   const std::optional<PatchFill> fill = choose_fill(sides);
   if (!fill) return reject(no_solution(sides.count));
-  const auto faces = static_cast<double>(count_faces(*fill, sides.side_lengths()));
-  const auto before = static_cast<double>(growth_.faces().size());
-  if (faces < options_->fewest_faces * before || faces > options_->most_faces * before)
-    return reject(PatchReject::kFaceBand);
+  if (!in_band(count_faces(*fill, sides.side_lengths()))) return reject(PatchReject::kFaceBand);
   found = {sides, *fill};
   found.gain = growth_.energy() - energy_of(found);
   if (!(found.gain > 0)) return reject(PatchReject::kNoGain);
   if (joins_twice(found)) return reject(PatchReject::kDoubleEdge);
   met_refused_ = !refused_.empty() && std::binary_search(refused_.begin(), refused_.end(), key());
   return !met_refused_;
+}
+
+bool PatchSearch::in_band(std::uint64_t faces) const {
+  const bool large = growth_.faces().size() > options_->large;
+  const double share = static_cast<double>(faces) / static_cast<double>(growth_.faces().size());
+  return share >= (large ? options_->fewest_faces_of_large : options_->fewest_faces) &&
+         share <= (large ? options_->most_faces_of_large : options_->most_faces);
 }
 
 std::optional<PatchFill> PatchSearch::choose_fill(const PatchSides& sides) const {

@@ -78,6 +78,8 @@ class PatchSearch {
   [[nodiscard]] bool push_sides(bool& growing);
   [[nodiscard]] bool try_stage(Candidate& found, PatchReport& report);
   [[nodiscard]] bool try_sides(const PatchSides& sides, Candidate& found, PatchReport& report);
+  // True if a fill of so many faces does not change the sizes of elements too much.
+  [[nodiscard]] bool in_band(std::uint64_t faces) const;
   [[nodiscard]] std::optional<PatchFill> choose_fill(const PatchSides& sides) const;
   [[nodiscard]] std::optional<PatchFill> choose_pair(const PatchSides& sides) const;
   [[nodiscard]] double energy_of(const Candidate& candidate);
