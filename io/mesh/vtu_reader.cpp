@@ -68,6 +68,16 @@ class VtuReader {
     return values;
   }
 
+  // The groups of cells, under our name or one that others give them: meshio, Gmsh, OpenGeoSys.
+  std::vector<std::int64_t> read_groups(const XmlElement& piece, std::string_view name,
+                                        std::size_t count) const {
+    for (const std::string_view each : {name, std::string_view("gmsh:physical"),
+                                        std::string_view("CellEntityIds"), std::string_view("MaterialIDs")})
+      if (std::vector<std::int64_t> groups = read_cell_data(piece, each, count); !groups.empty())
+        return groups;
+    return {};
+  }
+
   void read_piece(const XmlElement& piece) {
     first_point_ = cells_.x.size();
     read_points(piece);
@@ -78,8 +88,8 @@ class VtuReader {
     const std::vector<std::int64_t> types = data_.integers(need_array(piece, "Cells", "types"));
     if (ends.size() != types.size()) data_.fail(offset_array, "its length differs from that of types");
     CellData values;
-    values.region = read_cell_data(piece, "region", types.size());
-    values.constraint = read_cell_data(piece, "constraint", types.size());
+    values.region = read_groups(piece, "region", types.size());
+    values.constraint = read_groups(piece, "constraint", types.size());
     values.kind = read_cell_data(piece, "kind", types.size());
     kinds_known_ = kinds_known_ && (types.empty() || !values.kind.empty());
     std::int64_t begin = 0;

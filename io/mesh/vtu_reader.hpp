@@ -9,8 +9,9 @@
 namespace quarry {
 
 // Lines, polylines, triangles, quads, pixels and polygons of three or four corners; points as cells are
-// skipped. The cell data region, constraint and kind become tags; missing ones are found as MeshFileTags
-// says. Other data are not read. Throws Error(kInput) with the array or the cell.
+// skipped. The cell data region, constraint and kind become tags; in place of the first two also
+// gmsh:physical, CellEntityIds or MaterialIDs. Missing ones are found as MeshFileTags says. Other data are
+// not read. Throws Error(kInput) with the array or the cell.
 [[nodiscard]] ReadCells read_vtu(const std::string& path);
 
 }  // namespace quarry

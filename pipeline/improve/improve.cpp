@@ -136,6 +136,9 @@ class ImproveJob {
                                           result_.turned, cells.faces.size()));
     result_.names = cells.names;
     result_.before = summarize_quality(make_mesh(options_.input, cells));
+    if (result_.before.quads.faces == 0)
+      result_.notes.push_back(fmt::format(
+          "{}: the mesh has no quads: vertices move, but clean-up has nothing to do", options_.input));
     make_bare_mesh(std::move(cells));
     result_.tolerance = tolerance_of(options_, result_.mesh.box());
     const std::vector<std::uint32_t> invalid = invalid_faces(result_.mesh);

@@ -74,6 +74,15 @@ TEST(VtuReader, NamesTheArrayThatIsMissing) {
   }
 }
 
+TEST(VtuReader, TakesTheGroupsOfOtherPrograms) {
+  const TemporaryFolder folder;
+  std::string text = file_content("tests/io/mesh/data/ascii.vtu");
+  text.replace(text.find("region"), 6, "gmsh:physical");
+  text.replace(text.find("0 1 1 -1"), 8, "0 1 1 7");
+  text.replace(text.find("\"constraint\""), 12, "\"stress\"");
+  EXPECT_EQ(compared(read_mesh(folder.file("a.vtu", text))), compared(tiny_mesh()));
+}
+
 TEST(VtuReader, RefusesVolumeCells) {
   const TemporaryFolder folder;
   std::string text = file_content("tests/io/mesh/data/ascii.vtu");
