@@ -69,7 +69,8 @@ class JoinSearch {
       const double left = 1 - static_cast<double>(sweep) / options_.annealing_sweeps;
       const double temperature = options_.coldest + (options_.hottest - options_.coldest) * left * left;
       const auto round = static_cast<std::uint32_t>(sweep);
-      const std::vector<Candidate> accepted = draw(near_steiner_points(), round, temperature * kCostUnit);
+      const std::vector<Candidate> accepted =
+          draw(near_steiner_points(), round, temperature * state_.costs.steiner());
       // Both ends of an edge may have drawn the same move: the keys differ, so that it is made once.
       report_.annealing_moves += commit_independent(accepted, [&](const Candidate& c) {
         const std::uint32_t drawer = c.star.first.value();

@@ -16,11 +16,12 @@ struct JoinSearchOptions {
   // of moves.
   int rounds = 200;
   // Sweeps of annealing between the descents by stars and by pairs, near Steiner points alone, from the first
-  // to the last temperature (in units of the cost of JoinCostOptions). What a vertex draws in a sweep is a
-  // function of its number, the sweep and the seed.
+  // to the last temperature (as shares of the cost of a Steiner point; the higher that cost, the fewer are
+  // left and the worse is the mean quad). What a vertex draws in a sweep is a function of its number, the
+  // sweep and the seed.
   int annealing_sweeps = 0;
-  double hottest = 2;
-  double coldest = 0.05;
+  double hottest = 0.5;
+  double coldest = 0.0125;
   std::uint64_t seed = 0;
 };
 

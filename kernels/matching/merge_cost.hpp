@@ -17,8 +17,8 @@ struct JoinCostOptions {
   double low_weight = 4;
   double flat_shape = 0.05;
   double flat_weight = 20;
-  double steiner = 4;
-  double valence = 0.2;
+  double steiner = 2;
+  double valence = 0.1;
 };
 
 // The shape (smallest corner sine) of the quad that each arc of the dual would make, for each side slot (four

@@ -14,7 +14,7 @@ namespace quarry {
 
 struct ShortWayOptions {
   // The worst quad that triangles are paired for at first.
-  double smallest_shape = 0.3;
+  double smallest_shape = 0.5;
 };
 
 // The worth of each arc for maximum_spanning_forest, for each side slot; kNoArc where there is no arc.
