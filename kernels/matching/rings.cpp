@@ -13,9 +13,10 @@ namespace quarry {
 namespace {
 
 constexpr std::size_t kMostFaces = 12;  // around the ringed vertex
-// Where the centre of a quad lies on its diagonal from the ringed vertex: beyond the line through the two
-// midpoints, which crosses the diagonal before its middle.
-constexpr double kCentreShare = 0.6;
+// Where the centre of a quad may lie on its diagonal from the ringed vertex: beyond the line through the two
+// midpoints, which crosses the diagonal of a convex quad before its middle, and farther out the more reflex
+// the corner at its end is.
+constexpr std::array<double, 4> kCentreShares = {0.6, 0.75, 0.87, 0.95};
 
 bool turns_left_everywhere(const std::array<Vec2, 4>& quad) {
   for (std::size_t i = 0; i < 4; ++i)
@@ -82,8 +83,9 @@ class RingAround {
   struct Spoke {
     SideId side;  // from the vertex outwards
     bool constrained;
-    Support support;      // of its middle
-    Vec2 middle, centre;  // the latter of the quad to the left
+    Support support;  // of its middle
+    Vec2 middle;
+    Vec2 centre{};  // of the quad to the left
   };
 
   // The quads around a vertex, counter-clockwise, and what a ring would make of them.
@@ -104,7 +106,29 @@ class RingAround {
         fars[count] = mesh.point(opposite(mesh, s));
         spokes[count++] = operation.spoke_of(mesh, s);
       });
+      for (std::size_t i = 0; fits && i < count; ++i) place_centre(i);
       return fits;
+    }
+    // The first place that makes all parts of the quad valid, or that with which the fewest are not.
+    void place_centre(std::size_t i) {
+      Vec2 best;
+      int fewest = 4;
+      for (const double share : kCentreShares) {
+        spokes[i].centre = here + share * (fars[i] - here);
+        const int invalid = invalid_parts(i);
+        if (invalid >= fewest) continue;
+        fewest = invalid;
+        best = spokes[i].centre;
+      }
+      spokes[i].centre = best;
+    }
+    // Of the three parts of one quad.
+    [[nodiscard]] int invalid_parts(std::size_t i) const {
+      const std::size_t next = (i + 1) % count;
+      const Vec2 middle = spokes[i].middle, centre = spokes[i].centre, other = spokes[next].middle;
+      return (turns_left_everywhere({here, middle, centre, other}) ? 0 : 1) +
+             (turns_left_everywhere({middle, ends[i], fars[i], centre}) ? 0 : 1) +
+             (turns_left_everywhere({centre, fars[i], ends[next], other}) ? 0 : 1);
     }
     [[nodiscard]] int invalid_before(const Mesh& mesh) const {
       int sum = 0;
@@ -114,14 +138,7 @@ class RingAround {
     }
     [[nodiscard]] int invalid_after() const {
       int sum = 0;
-      for (std::size_t i = 0; i < count; ++i) {
-        const std::size_t next = (i + 1) % count;
-        const auto& [side, constrained, support, middle, centre] = spokes[i];
-        const Vec2 other = spokes[next].middle;
-        sum += turns_left_everywhere({here, middle, centre, other}) ? 0 : 1;
-        sum += turns_left_everywhere({middle, ends[i], fars[i], centre}) ? 0 : 1;
-        sum += turns_left_everywhere({centre, fars[i], ends[next], other}) ? 0 : 1;
-      }
+      for (std::size_t i = 0; i < count; ++i) sum += invalid_parts(i);
       return sum;
     }
   };
@@ -147,8 +164,7 @@ class RingAround {
   [[nodiscard]] Spoke spoke_of(const Mesh& mesh, SideId s) const {
     const Vec2 a = mesh.point(mesh.origin(s));
     const Vec2 b = mesh.point(mesh.target(s));
-    Spoke spoke{s, tags_.constrained(s), Support::free(), midpoint(a, b),
-                a + kCentreShare * (mesh.point(opposite(mesh, s)) - a)};
+    Spoke spoke{s, tags_.constrained(s), Support::free(), midpoint(a, b)};
     if (!spoke.constrained) return spoke;
     const PieceId id = finder_.under_edge(tags_.support[mesh.origin(s)], tags_.support[mesh.target(s)]);
     const Piece& piece = lines_->pieces[id];
