@@ -25,6 +25,7 @@ class CleanUp {
 
   void run() {
     progress_.report("clean-up", 0);
+    timed(report_.smoothing_seconds, [&] { smooth_between(); });
     timed(report_.local_seconds, [&] {
       open();
       report_.local = clean_up_locally(mesh_, PlaneModel(), options_.local, progress_);
@@ -32,7 +33,8 @@ class CleanUp {
     });
     if (options_.level != CleanUpLevel::kLocal) remesh();
     timed(report_.smoothing_seconds, [&] {
-      report_.shape = optimise_shape(mesh_, lines_, options_.shape, progress_);
+      report_.shape = sweep(options_.shape);
+      report_.square_corners = square_corners(mesh_, lines_, options_.square_corners, progress_);
       report_.optimise = optimise_corners(mesh_, lines_, options_.optimise, progress_);
     });
   }
@@ -71,14 +73,15 @@ class CleanUp {
         report_.patches.push_back(remesh_patches(mesh_, PlaneModel(), patches, progress_));
         close();
       });
-      timed(report_.smoothing_seconds, [&] { smooth_between(classes[i]); });
+      timed(report_.smoothing_seconds, [&] { smooth_between(); });
     }
   }
 
-  void smooth_between(std::size_t size) {
-    ShapeOptions between = options_.between;
-    if (size >= options_.more_from) between.sweeps = options_.more_sweeps;
-    add(report_.between, optimise_shape(mesh_, lines_, between, progress_));
+  void smooth_between() { add(report_.between, sweep(options_.between)); }
+
+  SweepReport sweep(ShapeOptions options) {
+    options.size = options_.size;
+    return optimise_shape(mesh_, lines_, options, progress_);
   }
 
   Mesh& mesh_;

@@ -17,6 +17,7 @@
 #include "kernels/cleanup/patch_report.hpp"
 #include "kernels/smooth/optimise.hpp"
 #include "kernels/smooth/optimise_shape.hpp"
+#include "kernels/smooth/square_corners.hpp"
 
 namespace quarry {
 
@@ -33,16 +34,18 @@ enum class CleanUpLevel : std::uint8_t {
 
 struct CleanUpOptions {
   CleanUpLevel level = CleanUpLevel::kFull;
+  // The wanted edge by place; none: faces stay as large as they are.
+  const SizeField* size = nullptr;
   LocalCleanupOptions local;
   // The largest patches of kFull. Beyond about 512 faces each pair of irregular vertices that goes bends
   // thousands of quads.
   PatchOptions patches;
-  // Sweeps over the whole mesh after each size class, and more after classes of this size and beyond.
-  ShapeOptions between{.sweeps = 3};
-  int more_sweeps = 10;
-  std::size_t more_from = 512;
+  // Sweeps over the whole mesh at the start and after each size class. Only what is far from good is moved:
+  // moving all takes ten times as long, and leaves as many irregular vertices.
+  ShapeOptions between{.sweeps = 3, .content = 0.6, .content_areas = 2, .tolerance = 0.02};
   // Sweeps at the end.
-  ShapeOptions shape{.sweeps = 20};
+  ShapeOptions shape;
+  SquareCornersOptions square_corners{.sweeps = 20};
   OptimiseOptions optimise;
 };
 
@@ -50,7 +53,7 @@ struct CleanUpReport {
   LocalCleanupReport local;
   std::vector<PatchReport> patches;  // one a size class
   SweepReport between;               // all classes together
-  SweepReport shape, optimise;
+  SweepReport shape, square_corners, optimise;
   double local_seconds = 0, patch_seconds = 0, smoothing_seconds = 0;
 };
 

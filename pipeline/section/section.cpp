@@ -13,6 +13,7 @@
 #include "engine/mesh/validate.hpp"
 #include "io/lines/line_reader.hpp"
 #include "kernels/deferred/deferred.hpp"
+#include "kernels/field/size_field.hpp"
 #include "kernels/local/better_flips.hpp"
 #include "kernels/matching/whole_outline.hpp"
 #include "kernels/smooth/laplacian.hpp"
@@ -104,12 +105,16 @@ void convert_to_quads(const SectionOptions& options, SectionResult& result, cons
   }
   QuadOptions quads = options.preset == Preset::kPaper ? paper_quad_options() : QuadOptions();
   quads.mixed.fronts.steps = front_steps(options);
+  // Clean-up ends with the same sweeps.
+  if (clean_up_level(options) != CleanUpLevel::kNone) quads.square_corners.sweeps = quads.optimise.sweeps = 0;
   result.mesh = make_quads(std::move(result.mesh), result.cleaned.lines, quads, result.quads, progress);
 }
 
 void clean_up_quads(const SectionOptions& options, SectionResult& result, const Progress& progress) {
   CleanUpOptions clean_up_options;
   clean_up_options.level = clean_up_level(options);
+  const UniformSize size(result.lengths.size);
+  clean_up_options.size = &size;
   clean_up(result.mesh, result.cleaned.lines, clean_up_options, result.clean_up, progress);
 }
 
