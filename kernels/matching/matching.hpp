@@ -48,7 +48,7 @@ struct MatchingOptions {
   int opening_rounds = 2;
   OpeningOptions openings;
   // What is inverted then gets rings, which halve constrained edges, at most this often.
-  int ring_rounds = 3;
+  int ring_rounds = 6;
   ShapeOptions shape{.sweeps = 6};
   OptimiseOptions optimise;
   // Throw where a quad stays inverted; else only count it.

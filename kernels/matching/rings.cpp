@@ -39,7 +39,7 @@ class RingAround {
     if (mesh.on_boundary(v)) return false;
     Star star;
     if (!star.gather(*this, mesh, v)) return false;
-    if (star.invalid_after() >= star.invalid_before(mesh)) return false;
+    if (!star.mends(f) || star.invalid_after() > star.invalid_before(mesh)) return false;
     plan.first = mesh.side_of(v);
     cavity.claim(v);
     for (std::size_t i = 0; i < star.count; ++i) {
@@ -135,6 +135,12 @@ class RingAround {
       for (std::size_t i = 0; i < count; ++i)
         sum += all_corners_turn_left(mesh, spokes[i].side.face()) ? 0 : 1;
       return sum;
+    }
+    // True if all parts of the face are valid.
+    [[nodiscard]] bool mends(FaceId f) const {
+      for (std::size_t i = 0; i < count; ++i)
+        if (spokes[i].side.face() == f) return invalid_parts(i) == 0;
+      return false;
     }
     [[nodiscard]] int invalid_after() const {
       int sum = 0;

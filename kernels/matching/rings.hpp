@@ -12,10 +12,11 @@
 namespace quarry {
 
 // Tries each quad of a planar quad mesh (with ConstraintTags) that is not strictly convex. A ring is made if
-// fewer quads are not strictly convex afterwards (exact), around vertices that are not on the boundary. With
-// the centre of each quad on its diagonal from the ringed vertex, convex quads give convex quads: the parts
-// on both sides of the diagonal beyond the line through the two midpoints. New vertices on constrained edges
-// slide on their piece, all others are free. Smooth afterwards.
+// all parts of the quad are and no more quads are not than before (exact), around vertices that are not on
+// the boundary; what it moves elsewhere the next call may mend. With the centre of each quad on its diagonal
+// from the ringed vertex, convex quads give convex quads: the parts on both sides of the diagonal beyond the
+// line through the two midpoints. New vertices on constrained edges slide on their piece, all others are
+// free. Smooth afterwards.
 PassReport ring_straight_corners(Mesh& mesh, const NodedLines& lines, const Progress& progress);
 
 }  // namespace quarry
