@@ -97,7 +97,7 @@ class SteinerPlace {
         for (std::size_t i = 0; i < 3; ++i) tried[i] += i == k % 3 ? share : -0.5 * share;
         if (std::min({tried[0], tried[1], tried[2]}) < kLeastShare) continue;
         const double worst = worst_at(tried);
-        if (!(worst > most)) continue;
+        if (!(worst > most + kLeastGain)) continue;
         most = worst;
         best = tried;
         found = true;
@@ -109,6 +109,8 @@ class SteinerPlace {
 
  private:
   static constexpr double kLeastShare = 0.05;
+  // Along a ridge smaller gains would go on for very long.
+  static constexpr double kLeastGain = 1e-3;
 
   [[nodiscard]] Point at(const std::array<double, 3>& share) const {
     return corners_[0] + (share[1] * (corners_[1] - corners_[0]) + share[2] * (corners_[2] - corners_[0]));

@@ -12,6 +12,9 @@
 namespace quarry {
 namespace {
 
+// Smaller gains end the search at one step: along a ridge they would go on for very long.
+constexpr double kLeastStepGain = 1e-3;
+
 // Counter-clockwise from the straight corner on.
 using Hexagon = std::array<VertexId, 6>;
 
@@ -135,7 +138,7 @@ class OpenStraightCorner {
                              Vec2{-0.7, 0.7}, Vec2{-0.7, -0.7}, Vec2{0.7, -0.7}}) {
         const Vec2 tried = best + step * way;
         const double worst = worst_at(tried);
-        if (!(worst > most)) continue;
+        if (!(worst > most + kLeastStepGain)) continue;
         most = worst;
         best = tried;
         found = true;
