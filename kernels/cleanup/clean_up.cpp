@@ -68,6 +68,7 @@ class CleanUp {
     for (std::size_t i = 0; i < classes.size(); ++i) {
       progress_.report("clean-up", static_cast<double>(i + 1) / static_cast<double>(classes.size() + 1));
       patches.largest = classes[i];
+      if (!fewest && patches.largest > options_.thorough) patches.directions = 0;
       timed(report_.patch_seconds, [&] {
         open();
         report_.patches.push_back(remesh_patches(mesh_, PlaneModel(), patches, progress_));

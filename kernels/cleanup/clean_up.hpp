@@ -40,6 +40,9 @@ struct CleanUpOptions {
   // The largest patches of kFull. Beyond about 512 faces each pair of irregular vertices that goes bends
   // thousands of quads.
   PatchOptions patches;
+  // Larger patches of kFull are looked for by growth on all sides alone: growth on one side finds a few more
+  // of them, and takes most of the time.
+  std::size_t thorough = 128;
   // Sweeps over the whole mesh at the start and after each size class. Only what is far from good is moved:
   // moving all takes ten times as long, and leaves as many irregular vertices.
   ShapeOptions between{.sweeps = 3, .content = 0.6, .content_areas = 2, .tolerance = 0.02};

@@ -197,8 +197,7 @@ class ImproveJob {
         std::clamp(result_.before.all.scaled_jacobian.min, options.patches.least_jacobian, kHighestFloor);
     options.local.floor = floor;
     options.patches.least_jacobian = floor;
-    options.between.size = size_.get();
-    options.shape.size = size_.get();
+    options.size = size_.get();
     clean_up(result_.mesh, lines_.lines, options, result_.clean_up, progress_);
   }
 
