@@ -113,7 +113,7 @@ void PatchCommit<Model>::restore(MeshEditor& editor, const PatchProposal& propos
 template <GeometryModel Model>
 void PatchCommit<Model>::place(MeshEditor& editor, const PatchProposal& proposal, NewIds& ids,
                                Worker& worker) const {
-  worker.layout.build(proposal.fill, static_cast<std::uint32_t>(proposal.rim.size()),
+  worker.layout.build(proposal.fill, static_cast<std::uint32_t>(proposal.rim.size()), proposal.cuts,
                       proposal.sides.corner_places());
   worker.points.clear();
   for (const VertexId v : proposal.rim) worker.points.push_back(place_of<Point>(editor, v));

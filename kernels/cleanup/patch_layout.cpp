@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <numeric>
 
 namespace quarry {
 namespace {
@@ -12,7 +13,8 @@ std::vector<std::uint32_t> reversed(std::span<const std::uint32_t> chain) {
 
 }  // namespace
 
-void PatchLayout::build(const PatchFill& fill, std::uint32_t rim, std::span<const std::uint32_t> corners) {
+void PatchLayout::build(const PatchFill& fill, std::uint32_t rim, std::span<const PatchCut> cuts,
+                        std::span<const std::uint32_t> corners) {
   rim_ = vertices_ = rim;
   centre_ = {};
   quads_.clear();
@@ -20,6 +22,10 @@ void PatchLayout::build(const PatchFill& fill, std::uint32_t rim, std::span<cons
   grids_.clear();
   chains_.clear();
   grid_ids_.clear();
+  ring_.ids.resize(rim);
+  std::iota(ring_.ids.begin(), ring_.ids.end(), 0U);
+  ring_.targets.assign(rim, 0);
+  for (const PatchCut& cut : cuts) add_cut(cut);
   std::vector<Chain> sides;
   for (std::size_t i = 0; i < corners.size(); ++i)
     sides.push_back(side_chain(corners, (i + fill.first) % corners.size()));
@@ -35,10 +41,27 @@ void PatchLayout::build(const PatchFill& fill, std::uint32_t rim, std::span<cons
   }
 }
 
+void PatchLayout::add_cut(const PatchCut& cut) {
+  const std::size_t first = cut.across, second = first + cut.along, end = second + cut.across;
+  const Chain near = ring_.run(cut, 0, first), side = ring_.run(cut, first, second),
+              far = ring_.run(cut, second, end);
+  const std::uint32_t next = vertices_;
+  const Chain wall = new_line(near.front(), far.back(), cut.along);
+  if (cut.mirrored)
+    add_grid(reversed(near), far, side, wall);
+  else
+    add_grid(near, reversed(far), wall, side);
+  ring_ = cut_off(ring_, cut, next);
+}
+
 PatchLayout::Chain PatchLayout::side_chain(std::span<const std::uint32_t> corners, std::size_t side) const {
-  const std::uint32_t end = corners[(side + 1) % corners.size()];
-  Chain chain{corners[side]};
-  while (chain.back() != end || chain.size() == 1) chain.push_back((chain.back() + 1) % rim_);
+  const std::size_t end = corners[(side + 1) % corners.size()];
+  std::size_t at = corners[side];
+  Chain chain{ring_.ids[at]};
+  do {
+    at = (at + 1) % ring_.size();
+    chain.push_back(ring_.ids[at]);
+  } while (at != end);
   return chain;
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "kernels/cleanup/patch_fill.hpp"
+#include "kernels/cleanup/patch_ring.hpp"
 
 namespace quarry {
 
@@ -32,9 +33,11 @@ class PatchLayout {
     std::uint32_t lines_before = 0;  // so many lines are placed before it; those after it end in it
   };
 
-  // rim: length of the rim. corners: places of the corners on it, ascending, as many as sides; side i runs
-  // from corner i to the next one. Keeps its memory from one patch to the next.
-  void build(const PatchFill& fill, std::uint32_t rim, std::span<const std::uint32_t> corners);
+  // rim: length of the rim. cuts: made one after the other. corners: places of the corners on the ring that
+  // is left, ascending, as many as sides; side i runs from corner i to the next one. Keeps its memory from
+  // one patch to the next.
+  void build(const PatchFill& fill, std::uint32_t rim, std::span<const PatchCut> cuts,
+             std::span<const std::uint32_t> corners);
 
   [[nodiscard]] std::span<const Quad> quads() const { return quads_; }
   [[nodiscard]] std::uint32_t rim() const { return rim_; }
@@ -52,6 +55,7 @@ class PatchLayout {
  private:
   using Chain = std::vector<std::uint32_t>;
 
+  void add_cut(const PatchCut& cut);
   [[nodiscard]] Chain side_chain(std::span<const std::uint32_t> corners, std::size_t side) const;
   [[nodiscard]] Chain new_line(std::uint32_t from, std::uint32_t to, std::uint32_t edges);
   void add_grid(std::span<const std::uint32_t> bottom, std::span<const std::uint32_t> top,
@@ -60,6 +64,7 @@ class PatchLayout {
   void add_pair(const PatchFill& fill, std::span<const Chain> sides);
 
   std::uint32_t rim_ = 0, vertices_ = 0;
+  PatchRing ring_;  // what is left to be filled
   Centre centre_;
   std::vector<Quad> quads_;
   std::vector<Line> lines_;

@@ -32,7 +32,8 @@ struct PatchProposal {
   std::vector<VertexId> rim;    // counter-clockwise from its smallest vertex
   std::vector<VertexId> inner;  // inside: to be used again
   std::vector<VertexId> ring;   // corners of the faces around the rim that smoothing and judgement read
-  PatchSides sides;
+  std::vector<PatchCut> cuts;
+  PatchSides sides;  // of what the cuts leave
   PatchFill fill;
   std::uint32_t fresh_faces = 0;
   double gain = 0;        // by so much the valence energy falls
@@ -51,6 +52,7 @@ class PatchSearch {
 
  private:
   struct Candidate {
+    std::vector<PatchCut> cuts;
     PatchSides sides;
     PatchFill fill;
     double gain = 0;
@@ -78,11 +80,22 @@ class PatchSearch {
   [[nodiscard]] bool push_sides(bool& growing);
   [[nodiscard]] bool try_stage(Candidate& found, PatchReport& report);
   [[nodiscard]] bool try_sides(const PatchSides& sides, Candidate& found, PatchReport& report);
+  // Cuts grids off at reflex vertices, in all ways, and fills what is left.
+  [[nodiscard]] bool try_cuts(const PatchRing& ring, Candidate& candidate, PatchReport& report);
+  [[nodiscard]] bool accept(Candidate& candidate, PatchReport& report);
+  [[nodiscard]] PatchRing ring_of_rim() const;
+  void build_layout(const Candidate& candidate) {
+    layout_.build(candidate.fill, static_cast<std::uint32_t>(rim_.size()), candidate.cuts,
+                  candidate.sides.corner_places());
+  }
   // True if a fill of so many faces does not change the sizes of elements too much.
   [[nodiscard]] bool in_band(std::uint64_t faces) const;
   [[nodiscard]] std::optional<PatchFill> choose_fill(const PatchSides& sides) const;
   [[nodiscard]] std::optional<PatchFill> choose_pair(const PatchSides& sides) const;
+  [[nodiscard]] double energy_of_apex(std::uint32_t id) const;
+  [[nodiscard]] std::uint64_t count_fresh(const Candidate& candidate) const;
   [[nodiscard]] double energy_of(const Candidate& candidate);
+  [[nodiscard]] double energy_with_cuts(const Candidate& candidate);
   [[nodiscard]] double defect_price(const Candidate& candidate);
   [[nodiscard]] bool joins_twice(const Candidate& candidate);
   [[nodiscard]] std::uint64_t key() const;
@@ -101,6 +114,8 @@ class PatchSearch {
   PatchSides outer_;  // by the outer angles, of the last stage; no sides if not walked
   std::vector<std::vector<VertexId>> paths_;  // to the partners, nearest first
   std::vector<VertexId> ring_, rim_;
+  PatchRing rest_;              // what the cuts tried last leave of the rim
+  std::vector<int> new_faces_;  // by local number
 };
 
 }  // namespace quarry

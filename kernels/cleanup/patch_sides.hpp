@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "kernels/cleanup/patch_growth.hpp"
+#include "kernels/cleanup/patch_ring.hpp"
 
 namespace quarry {
 
@@ -36,5 +37,8 @@ struct PatchSides {
 // rim: as PatchGrowth::walk_rim gives it.
 [[nodiscard]] PatchSides find_sides(const PatchGrowth& growth, std::span<const VertexId> rim,
                                     CornerRule rule);
+
+// The same of a ring without reflex vertices.
+[[nodiscard]] PatchSides find_sides(const PatchRing& ring);
 
 }  // namespace quarry

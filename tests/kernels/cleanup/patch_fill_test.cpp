@@ -152,7 +152,7 @@ TEST(PatchFill, ClosesAroundOneDefectOfThreeFiveOrSix) {
     const Lengths corners = corners_of(lengths, dice.between(0, lengths.back() - 1));
     std::uint32_t rim = 0;
     for (const std::uint32_t length : lengths) rim += length;
-    layout.build(*fill, rim, corners);
+    layout.build(*fill, rim, {}, corners);
     expect_closed(layout, corners, *fill, 1);
     EXPECT_EQ(layout.quads().size(), count_faces(*fill, lengths));
   }
@@ -165,7 +165,7 @@ TEST(PatchFill, ClosesAGridWithoutADefect) {
       const Lengths lengths{a, b, a, b};
       const auto fill = solve_fill(lengths);
       ASSERT_TRUE(fill.has_value());
-      layout.build(*fill, 2 * (a + b), corners_of(lengths, 0));
+      layout.build(*fill, 2 * (a + b), {}, corners_of(lengths, 0));
       expect_closed(layout, corners_of(lengths, 0), *fill, 0);
       EXPECT_EQ(layout.quads().size(), a * b);
     }
@@ -186,7 +186,7 @@ TEST(PatchFill, ClosesUnequalSidesWithAPair) {
     ++filled;
     fill->split = dice.between(1, lengths[first] - 1);
     const Lengths corners = corners_of(lengths, dice.between(0, lengths.back() - 1));
-    layout.build(*fill, lengths[0] + lengths[1] + lengths[2] + lengths[3], corners);
+    layout.build(*fill, lengths[0] + lengths[1] + lengths[2] + lengths[3], {}, corners);
     expect_closed(layout, corners, *fill, 1);
     EXPECT_EQ(layout.quads().size(), count_faces(*fill, lengths));
   }
@@ -232,10 +232,65 @@ TEST(PatchFill, PushesNothingWhereTheParityIsWrong) {
   EXPECT_EQ(sides_to_push(Lengths{2, 2, 3, 2}), 0U);
 }
 
+// An L with the reflex vertex first: a, b, c = a + e, d = b + f, e, f are the sides from it on.
+PatchRing ring_of_l(std::uint32_t a, std::uint32_t b, std::uint32_t e, std::uint32_t f) {
+  PatchRing ring;
+  ring.targets.push_back(3);
+  for (const std::uint32_t length : {a, b, a + e, b + f, e}) {
+    ring.targets.insert(ring.targets.end(), length - 1, std::uint8_t{2});
+    ring.targets.push_back(1);
+  }
+  ring.targets.insert(ring.targets.end(), f - 1, std::uint8_t{2});
+  for (std::uint32_t i = 0; i < ring.targets.size(); ++i) ring.ids.push_back(i);
+  return ring;
+}
+
+TEST(PatchCuts, LeaveAGridOfAnLWhicheverWayTheyAreMade) {
+  const std::uint64_t seed = 43;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  Dice dice(seed);
+  PatchLayout layout;
+  for (int round = 0; round < 200; ++round) {
+    const std::uint32_t a = dice.between(1, 5), b = dice.between(1, 5), e = dice.between(1, 5),
+                        f = dice.between(1, 5);
+    const PatchRing ring = ring_of_l(a, b, e, f);
+    const auto rim = static_cast<std::uint32_t>(ring.size());
+    for (const bool mirrored : {false, true}) {
+      const auto cut = find_cut(ring, 0, mirrored);
+      ASSERT_TRUE(cut.has_value());
+      const PatchRing left = cut_off(ring, *cut, rim);
+      Lengths corners, lengths;
+      for (std::uint32_t i = 0; i < left.size(); ++i)
+        if (left.targets[i] == 1) corners.push_back(i);
+      ASSERT_EQ(corners.size(), 4U);
+      for (std::size_t i = 0; i < 4; ++i)
+        lengths.push_back((corners[(i + 1) % 4] + static_cast<std::uint32_t>(left.size()) - corners[i]) %
+                          static_cast<std::uint32_t>(left.size()));
+      const auto fill = solve_fill(lengths);
+      ASSERT_TRUE(fill.has_value());
+      layout.build(*fill, rim, std::vector{*cut}, corners);
+      EXPECT_EQ(layout.quads().size(), a * b + e * (b + f));
+      std::vector<int> faces(layout.vertices(), 0);
+      for (const PatchLayout::Quad& quad : layout.quads())
+        for (const std::uint32_t v : quad) ++faces[v];
+      for (std::uint32_t v = 0; v < layout.vertices(); ++v)
+        EXPECT_EQ(faces[v], v < rim ? ring.targets[v] : 4) << "vertex " << v;
+    }
+  }
+}
+
+TEST(PatchCuts, AreNotMadeWhereTheWallWouldEndInACorner) {
+  PatchRing ring = ring_of_l(3, 2, 1, 1);
+  // The side opposite is three long, as the cut is: the wall ends where it does.
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    if (i == 3 + 2 + 3) ring.targets[i] = 1;
+  EXPECT_FALSE(find_cut(ring, 0, false).has_value());
+}
+
 TEST(PatchPlacement, PutsAGridOfASquareOnItsLattice) {
   const Lengths lengths{4, 3, 4, 3};
   PatchLayout layout;
-  layout.build(*solve_fill(lengths), 14, corners_of(lengths, 0));
+  layout.build(*solve_fill(lengths), 14, {}, corners_of(lengths, 0));
   std::vector<Vec2> points;
   for (int i = 0; i < 4; ++i) points.push_back({1.0 * i, 0});
   for (int i = 0; i < 3; ++i) points.push_back({4, 1.0 * i});

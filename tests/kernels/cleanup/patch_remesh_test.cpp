@@ -10,14 +10,18 @@
 
 #include "engine/base/random.hpp"
 #include "engine/mesh/build.hpp"
+#include "engine/mesh/sectors.hpp"
 #include "engine/mesh/validate.hpp"
 #include "engine/operation/editor.hpp"
 #include "engine/parallel/parallel.hpp"
 #include "kernels/cleanup/ideal.hpp"
+#include "kernels/cluster/merge.hpp"
+#include "kernels/cluster/pairing.hpp"
 #include "kernels/quality/face.hpp"
 #include "tests/kernels/cleanup/patch_meshes.hpp"
 #include "tests/support/charge.hpp"
 #include "tests/support/mesh_arrays.hpp"
+#include "tests/support/synthetic_mesh.hpp"
 
 namespace quarry {
 namespace {
@@ -254,6 +258,41 @@ TEST(RemeshPatches, IsTheSameOnAnyNumberOfThreadsAndInAnyOrderOfWinners) {
     parallel::with_threads(threads, [&] { result = remeshed(false); });
     EXPECT_EQ(result, serial) << threads << " threads";
     EXPECT_GT(probe.chunks_of_other_threads(), 0U) << threads << " threads";
+  }
+}
+
+// Quads between random lines with dead ends, cut open along them.
+test::SyntheticMesh cut_network(std::uint64_t seed) {
+  test::SyntheticMesh given = test::make_synthetic({.columns = 24, .rows = 20, .seed = seed, .jitter = 0.2});
+  PairingReport paired;
+  const Pairing pairing = pair_triangles(given.mesh, given.tags, {}, paired, {});
+  SubdivideReport halved;
+  given.mesh = subdivide(merge_pairs(std::move(given.mesh), pairing), given.lines, halved, {});
+  given.tags = ConstraintTags::of(given.mesh);
+  cut_open(given.mesh, given.tags);
+  set_ideal_faces(given.mesh, PlaneModel());
+  return given;
+}
+
+TEST(RemeshPatches, KeepsLinesWithDeadEnds) {
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    test::SyntheticMesh given = cut_network(seed);
+    Mesh& mesh = given.mesh;
+    const int charge = test::charge_of(mesh);
+    const auto boundary = boundary_of(mesh);
+    int energy = energy_of(mesh);
+    for (const std::size_t largest : patch_classes(256, false, 0)) {
+      const PatchReport report = remesh_patches(mesh, PlaneModel(), options_of(largest), Progress());
+      const int now = energy_of(mesh);
+      EXPECT_TRUE(report.count_won() > 0 ? now < energy : now == energy);
+      energy = now;
+    }
+    EXPECT_EQ(validate(mesh, GeometryCheck::kPlanarCorners), "");
+    EXPECT_EQ(test::charge_of(mesh), charge);
+    EXPECT_EQ(boundary_of(mesh), boundary);
+    sew(mesh, given.tags);
+    EXPECT_EQ(validate(mesh, GeometryCheck::kPlanarCorners), "");
   }
 }
 
