@@ -11,7 +11,11 @@ namespace quarry {
 struct PatchOptions {
   std::size_t largest = 512;  // faces a patch may have: the size class
   int partners = 4;           // nearest irregular vertices that a seed is paired with, one after the other
-  int directions = 4;  // then growth on one side of the seed only, along so many of its edges; 0: never
+  // Then by single rows, and on one side of the seed only along so many of its edges; 0: never. Not in
+  // classes in which seeds times faces are more than `most_work` times the mesh's faces: near lines most
+  // seeds of large patches are hopeless.
+  int directions = 4;
+  double most_work = 6;
   // Faces of a fill, as a share of those before: near lines small patches need room to change, while large
   // ones of another number of faces stretch many quads.
   double fewest_faces = 0.6, most_faces = 1.7;

@@ -59,6 +59,9 @@ class PatchRemesher {
     std::vector<std::uint32_t> pending = parallel::filter_indices(
         mesh_.vertex_slots(), [&](std::size_t i) { return stars_.irregular(VertexId(i)); });
     report_.seeds = pending.size();
+    if (static_cast<double>(pending.size()) * static_cast<double>(options_.largest) >
+        options_.most_work * static_cast<double>(faces_))
+      options_.directions = 0;
     const std::size_t wave = std::clamp<std::size_t>(kFacesHeld / options_.largest, 16, kLargestWave);
     while (!pending.empty()) {
       progress.throw_if_cancelled();
@@ -108,7 +111,7 @@ class PatchRemesher {
 
   Mesh& mesh_;
   const Model& model_;
-  const PatchOptions& options_;
+  PatchOptions options_;
   PatchStars stars_;
   std::vector<std::uint32_t> taken_;  // by vertex: the last wave in which a patch was chosen that has it
   std::size_t faces_;                 // alive
