@@ -217,7 +217,7 @@ std::size_t count_left(const IrregularPrice& price) {
     Mesh mesh = disk(1500, seed);
     PatchOptions options;
     options.price = price;
-    for (const std::size_t largest : patch_classes(512, false, 0)) {
+    for (const std::size_t largest : patch_classes(64, false, 0)) {
       options.largest = largest;
       remesh_patches(mesh, PlaneModel(), options, Progress());
     }
@@ -233,9 +233,10 @@ std::size_t count_left(const IrregularPrice& price) {
 }
 
 TEST(RemeshPatches, LeavesFewerIrregularVerticesWhereTheyAreDear) {
-  const std::size_t plain = count_left({});
-  const std::size_t priced = count_left([](Vec3 p) { return p.x < 0 ? 20.0 : 1.0; });
-  EXPECT_LT(priced, plain);
+  // Dear on the left, and dear on the right: what lies on the left then differs by more than chance.
+  const std::size_t dear = count_left([](Vec3 p) { return p.x < 0 ? 20.0 : 1.0; });
+  const std::size_t cheap = count_left([](Vec3 p) { return p.x < 0 ? 1.0 : 20.0; });
+  EXPECT_LT(static_cast<double>(dear), 0.9 * static_cast<double>(cheap)) << dear << " and " << cheap;
 }
 
 std::vector<std::uint64_t> remeshed(bool reverse) {
