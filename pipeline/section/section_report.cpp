@@ -49,7 +49,10 @@ std::vector<ReportItem> counts_of(const SectionResult& result, const QualitySumm
           {"fallbacks", whole(d.fallbacks)},
           {"rebuilt_pieces", whole(d.rebuilt)},
           {"pairs", whole(result.quads.mixed.pairing.pairs)},
-          {"single_triangles", whole(result.quads.mixed.pairing.singles)}};
+          {"single_triangles", whole(result.quads.mixed.pairing.singles)},
+          {"steiner_points", whole(result.matching.steiner_points)},
+          {"edges_halved_for_parity", whole(result.matching.parity.halved_edges)},
+          {"forced_merges_opened", whole(result.matching.ears.opened)}};
 }
 
 }  // namespace
@@ -108,6 +111,8 @@ JobReport report_section(const SectionOptions& options, const SectionResult& res
   report.counts = counts_of(result, quality);
   report.quality = std::move(quality);
   report.passes = {result.deferred.nodes, result.deferred.pieces};
+  for (const auto& passes : {result.matching.openings, result.matching.rings})
+    report.passes.insert(report.passes.end(), passes.begin(), passes.end());
   if (clean_up_level(options) != CleanUpLevel::kNone) report.clean_up = result.clean_up;
   for (const StageTime& stage : result.times) report.times.emplace_back(stage.name, stage.seconds);
   report.notes = result.cleaned.notes;
