@@ -79,8 +79,7 @@ void PatchCommit<Model>::apply(MeshEditor& editor, Item item, const Plan& /*plan
   if (!gains) {
     // Every face gets its old number: other proposals name it.
     worker->slots = proposal.faces;
-    worker->slots.insert(worker->slots.end(), made.begin() + std::min(made.size(), proposal.faces.size()),
-                         made.end());
+    for (std::size_t i = proposal.faces.size(); i < made.size(); ++i) worker->slots.push_back(made[i]);
     worker->replacer.replace(editor, tags_, worker->slots, worker->old, ids);
     restore(editor, proposal, *worker);
   }

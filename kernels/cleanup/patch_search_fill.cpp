@@ -1,0 +1,231 @@
+// The part of the search that looks for a fill of the patch as it has grown so far.
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <numeric>
+
+#include "kernels/cleanup/ideal.hpp"
+#include "kernels/cleanup/patch_search.hpp"
+
+namespace quarry {
+namespace {
+
+// Each cut doubles the ways.
+constexpr std::size_t kMostCuts = 4;
+
+PatchReject no_solution(std::uint32_t sides) {
+  return static_cast<PatchReject>(static_cast<std::uint32_t>(PatchReject::kNoSolution3) + sides - 3);
+}
+
+// Where on the rim the two grids of a pair meet.
+std::uint32_t apex_place(const PatchSides& sides, const PatchFill& fill, std::size_t rim) {
+  return static_cast<std::uint32_t>((sides.corners[fill.first] + fill.split) % rim);
+}
+
+}  // namespace
+
+bool PatchSearch::try_stage(Candidate& found, PatchReport& report) {
+  outer_.count = 0;
+  if (!growth_.is_disk()) {
+    report.reject(PatchReject::kNoDisk);
+    return false;
+  }
+  // No fill changes the charge, and none has less energy than the charge asks for.
+  if (!stars_->has_price() && growth_.energy() <= std::abs(growth_.charge())) {
+    report.reject(PatchReject::kNoGain);
+    return false;
+  }
+  growth_.walk_rim(rim_);
+  const PatchRing ring = ring_of_rim();
+  if (std::any_of(ring.targets.begin(), ring.targets.end(), [](std::uint8_t t) { return t > 2; })) {
+    found.cuts.clear();
+    if (try_cuts(ring, found, report)) return true;
+    found.cuts.clear();
+    if (met_refused_) return false;
+  }
+  rest_ = ring;
+  outer_ = find_sides(growth_, rim_, CornerRule::kOuterAngle);
+  if (try_sides(outer_, found, report)) return true;
+  if (met_refused_) return false;
+  const PatchSides inner = find_sides(growth_, rim_, CornerRule::kInnerFaces);
+  return inner != outer_ && try_sides(inner, found, report);
+}
+
+bool PatchSearch::try_sides(const PatchSides& sides, Candidate& found, PatchReport& report) {
+  const auto reject = [&](PatchReject reason) {
+    report.reject(reason);
+    return false;
+  };
+  if (sides.count < 3) return reject(PatchReject::kFewSides);
+  if (sides.count > kMostSides) return reject(PatchReject::kManySides);
+  const std::optional<PatchFill> fill = choose_fill(sides);
+  if (!fill) return reject(no_solution(sides.count));
+  found.sides = sides;
+  found.fill = *fill;
+  return accept(found, report);
+}
+
+bool PatchSearch::accept(Candidate& candidate, PatchReport& report) {
+  const auto reject = [&](PatchReject reason) {
+    report.reject(reason);
+    return false;
+  };
+  if (!in_band(count_fresh(candidate))) return reject(PatchReject::kFaceBand);
+  candidate.gain =
+      growth_.energy() - (candidate.cuts.empty() ? energy_of(candidate) : energy_with_cuts(candidate));
+  if (!(candidate.gain > 0)) return reject(PatchReject::kNoGain);
+  if (joins_twice(candidate)) return reject(PatchReject::kDoubleEdge);
+  met_refused_ = !refused_.empty() && std::binary_search(refused_.begin(), refused_.end(), key());
+  return !met_refused_;
+}
+
+PatchRing PatchSearch::ring_of_rim() const {
+  PatchRing ring;
+  ring.ids.resize(rim_.size());
+  std::iota(ring.ids.begin(), ring.ids.end(), 0U);
+  for (const VertexId v : rim_) {
+    const int angle = growth_.outer_angle(v);
+    ring.targets.push_back(static_cast<std::uint8_t>(angle > 0 ? 1 : 2 - angle));
+  }
+  return ring;
+}
+
+bool PatchSearch::try_cuts(const PatchRing& ring, Candidate& candidate, PatchReport& report) {
+  const auto reflex =
+      std::find_if(ring.targets.begin(), ring.targets.end(), [](std::uint8_t target) { return target > 2; });
+  if (reflex == ring.targets.end()) {
+    rest_ = ring;
+    return try_sides(find_sides(ring), candidate, report);
+  }
+  if (candidate.cuts.size() == kMostCuts) return false;
+  for (const bool mirrored : {false, true}) {
+    const auto cut = find_cut(ring, static_cast<std::uint32_t>(reflex - ring.targets.begin()), mirrored);
+    if (!cut) continue;
+    candidate.cuts.push_back(*cut);
+    // Numbers of walls only need to lie above those of the rim here.
+    if (try_cuts(cut_off(ring, *cut, static_cast<std::uint32_t>(rim_.size())), candidate, report))
+      return true;
+    candidate.cuts.pop_back();
+    if (met_refused_) return false;
+  }
+  return false;
+}
+
+std::uint64_t PatchSearch::count_fresh(const Candidate& candidate) const {
+  std::uint64_t faces = count_faces(candidate.fill, candidate.sides.side_lengths());
+  for (const PatchCut& cut : candidate.cuts) faces += std::uint64_t{cut.across} * cut.along;
+  return faces;
+}
+
+// Counted on the fill itself: cuts change who gets which faces.
+double PatchSearch::energy_with_cuts(const Candidate& candidate) {
+  build_layout(candidate);
+  new_faces_.assign(layout_.vertices(), 0);
+  for (const PatchLayout::Quad& quad : layout_.quads())
+    for (const std::uint32_t v : quad) ++new_faces_[v];
+  double energy = 0;
+  for (std::uint32_t i = 0; i < rim_.size(); ++i)
+    energy += stars_->energy(*mesh_, rim_[i], growth_.outside(rim_[i]) + new_faces_[i]);
+  double inner = 0;
+  for (std::size_t i = rim_.size(); i < new_faces_.size(); ++i) inner += valence_energy(new_faces_[i], 4);
+  return energy + (inner > 0 && stars_->has_price() ? inner * defect_price(candidate) : inner);
+}
+
+bool PatchSearch::in_band(std::uint64_t faces) const {
+  const bool large = growth_.faces().size() > options_->large;
+  const double share = static_cast<double>(faces) / static_cast<double>(growth_.faces().size());
+  return share >= (large ? options_->fewest_faces_of_large : options_->fewest_faces) &&
+         share <= (large ? options_->most_faces_of_large : options_->most_faces);
+}
+
+std::optional<PatchFill> PatchSearch::choose_fill(const PatchSides& sides) const {
+  std::optional<PatchFill> fill = solve_fill(sides.side_lengths());
+  if (!fill && sides.count == 4) fill = choose_pair(sides);
+  return fill;
+}
+
+// By how much the energy grows where a vertex of the ring gets a face more than it is to have.
+double PatchSearch::energy_of_apex(std::uint32_t id) const {
+  if (id >= rim_.size()) return valence_energy(5, 4);
+  const VertexId v = rim_[id];
+  const int angle = growth_.outer_angle(v);
+  const int faces = growth_.outside(v) + (rest_.size() == rim_.size() || angle > 0 ? 2 : 2 - angle);
+  return stars_->energy(*mesh_, v, faces + 1) - stars_->energy(*mesh_, v, faces);
+}
+
+// The apex goes where one face more costs least, and of such places to the one nearest to the middle.
+std::optional<PatchFill> PatchSearch::choose_pair(const PatchSides& sides) const {
+  std::optional<PatchFill> best;
+  double least = 0;
+  std::uint32_t nearest = 0;
+  for (std::uint8_t first = 0; first < 4; ++first) {
+    std::optional<PatchFill> fill = solve_pair(sides.side_lengths(), first);
+    if (!fill) continue;
+    const std::uint32_t edges = sides.lengths[first];
+    for (fill->split = 1; fill->split < edges; ++fill->split) {
+      const double more = energy_of_apex(rest_.ids[apex_place(sides, *fill, rest_.size())]);
+      const std::uint32_t off = fill->split * 2 > edges ? fill->split * 2 - edges : edges - fill->split * 2;
+      if (best && !(more < least || (more == least && off < nearest))) continue;
+      best = fill;
+      least = more;
+      nearest = off;
+    }
+  }
+  return best;
+}
+
+double PatchSearch::energy_of(const Candidate& candidate) {
+  const PatchSides& sides = candidate.sides;
+  const PatchFill& fill = candidate.fill;
+  double energy = 0;
+  std::uint32_t corner = 0;
+  for (std::uint32_t i = 0; i < rim_.size(); ++i) {
+    const bool at_corner = corner < sides.count && sides.corners[corner] == i;
+    corner += at_corner ? 1 : 0;
+    int faces = growth_.outside(rim_[i]) + (at_corner ? 1 : 2);
+    if (fill.kind == FillKind::kPair && i == apex_place(sides, fill, rim_.size())) ++faces;
+    energy += stars_->energy(*mesh_, rim_[i], faces);
+  }
+  if (fill.kind == FillKind::kGrid) return energy;
+  const int weight = fill.kind == FillKind::kSix ? valence_energy(6, 4) : valence_energy(5, 4);
+  return energy + (stars_->has_price() ? weight * defect_price(candidate) : weight);
+}
+
+// At about the place where the defect will lie: the mean of the ends of its spokes on the rim.
+double PatchSearch::defect_price(const Candidate& candidate) {
+  build_layout(candidate);
+  const PatchLayout::Centre& centre = layout_.centre();
+  Vec3 sum;
+  double count = 0;
+  for (std::uint32_t i = 0; i < centre.count; ++i) {
+    if (centre.ends[i] >= rim_.size()) continue;
+    sum = sum + mesh_->point3(rim_[centre.ends[i]]);
+    count += 1;
+  }
+  return count > 0 ? stars_->price_at((1 / count) * sum) : 1;
+}
+
+// True if an inside edge of the fill joins two rim vertices that have an edge outside as well. Without cuts
+// only strips one quad wide have such edges.
+bool PatchSearch::joins_twice(const Candidate& candidate) {
+  const auto rim = static_cast<std::uint32_t>(rim_.size());
+  const auto lengths = candidate.sides.side_lengths();
+  if (candidate.cuts.empty()) {
+    if (candidate.fill.kind != FillKind::kGrid && candidate.fill.kind != FillKind::kPair) return false;
+    if (std::find(lengths.begin(), lengths.end(), 1U) == lengths.end()) return false;
+  }
+  build_layout(candidate);
+  const auto outside = [&](SideId s) { return s.valid() && !growth_.contains(s.face()); };
+  for (const PatchLayout::Quad& quad : layout_.quads()) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      const std::uint32_t a = quad[k];
+      const std::uint32_t b = quad[(k + 1) % 4];
+      if (a >= rim || b >= rim || b == (a + 1) % rim || a == (b + 1) % rim) continue;
+      if (outside(mesh_->find_side(rim_[a], rim_[b])) || outside(mesh_->find_side(rim_[b], rim_[a])))
+        return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace quarry
