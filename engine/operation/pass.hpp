@@ -42,8 +42,8 @@ struct PassOptions {
   // Faces beyond which the pass ends with Error(kBudget): no estimate foresees the refinement that hard input
   // asks for.
   std::size_t max_faces = std::numeric_limits<std::uint32_t>::max() / 4;
-  // Items a chunk, which one thread takes at a time: 256 are about 50 microseconds of work for operations of 20
-  // to 500 ns; fewer for those that take long.
+  // Items a chunk, which one thread takes at a time: 256 are about 50 microseconds of work for operations of
+  // 20 to 500 ns; fewer for those that take long.
   std::size_t chunk = 256;
   bool reverse = false;  // apply winners last to first on one thread: a test that they are independent
 };

@@ -44,7 +44,7 @@ struct JobReport {
   QualitySummary quality;
   std::optional<QualitySummary> quality_before;  // of the input, where that is a mesh
   std::vector<PassReport> passes;
-  std::optional<CleanUpReport> clean_up;  // of jobs that clean up
+  std::optional<CleanUpReport> clean_up;              // of jobs that clean up
   std::vector<std::pair<std::string, double>> times;  // stage, seconds
   std::vector<std::string> notes;                     // one line each: what the user should know
 };

@@ -67,7 +67,9 @@ TEST(CommandLine, UnknownOutputExtensionsAreToldBeforeTheWork) {
 
 TEST(CommandLine, WhatIsNotBuiltSaysSo) {
   const std::vector<std::vector<std::string>> values = {
-      {"--method", "front"},     {"--method", "blocks"}, {"--elements", "mixed"},
+      {"--method", "front"},
+      {"--method", "blocks"},
+      {"--elements", "mixed"},
       {"--size-field", "s.tif"},
   };
   for (const std::vector<std::string>& value : values) {
