@@ -55,4 +55,20 @@ template <GeometryModel Model>
   return count == 3 ? std::min(1.0, kTriangleFactor * smallest) : smallest;
 }
 
+// The longest edge of a face by its shortest; infinite where an edge has no length.
+template <GeometryModel Model>
+[[nodiscard]] double edge_ratio(const Mesh& mesh, FaceId f) {
+  using Point = typename Model::Point;
+  const int count = mesh.corner_count(f);
+  double shortest = std::numeric_limits<double>::infinity();
+  double longest = 0;
+  for (int i = 0; i < count; ++i) {
+    const auto edge =
+        point_of<Point>(mesh, mesh.corner(f, (i + 1) % count)) - point_of<Point>(mesh, mesh.corner(f, i));
+    shortest = std::min(shortest, dot(edge, edge));
+    longest = std::max(longest, dot(edge, edge));
+  }
+  return std::sqrt(longest / shortest);
+}
+
 }  // namespace quarry

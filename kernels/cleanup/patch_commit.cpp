@@ -64,6 +64,7 @@ void PatchCommit<Model>::apply(MeshEditor& editor, Item item, const Plan& /*plan
   const PatchProposal& proposal = proposals_[item];
   const typename ScratchPool<Worker>::Loan worker(workers_);
   const double before = smallest_before(editor, proposal);
+  const double ratio = largest_edge_ratio(editor.mesh(), proposal.faces);
   const double energy = energy_of(editor.mesh(), proposal.inner) + energy_of(editor.mesh(), proposal.rim);
   save(editor, proposal, *worker);
   place(editor, proposal, ids, *worker);
@@ -71,7 +72,8 @@ void PatchCommit<Model>::apply(MeshEditor& editor, Item item, const Plan& /*plan
       worker->replacer.replace(editor, tags_, proposal.faces, worker->fresh, ids);
   const double wanted = std::min(options_->least_jacobian, before);
   const double after = smallest_after(editor, made, wanted, *worker);
-  const bool good = after > 0 && after >= wanted;
+  const bool good = after > 0 && after >= wanted &&
+                    largest_edge_ratio(editor.mesh(), made) <= std::max(options_->largest_edge_ratio, ratio);
   if (good)
     for (const VertexId v : worker->vertices) stars_->update(editor.mesh(), v);
   const bool gains = good && energy_of(editor.mesh(), worker->vertices) < energy;
@@ -172,6 +174,13 @@ double PatchCommit<Model>::smallest_after(MeshEditor& editor, std::span<const Fa
     smoothed = worker.smoother.run(editor, worker.movable, smoothing);
   }
   return std::min(smallest, smoothed);
+}
+
+template <GeometryModel Model>
+double PatchCommit<Model>::largest_edge_ratio(const Mesh& mesh, std::span<const FaceId> faces) const {
+  double largest = 1;
+  for (const FaceId f : faces) largest = std::max(largest, edge_ratio<Model>(mesh, f));
+  return largest;
 }
 
 template <GeometryModel Model>

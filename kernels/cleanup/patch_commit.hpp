@@ -46,6 +46,7 @@ class PatchCommit {
   [[nodiscard]] double smallest_before(const MeshEditor& editor, const PatchProposal& proposal) const;
   [[nodiscard]] double smallest_after(MeshEditor& editor, std::span<const FaceId> made, double wanted,
                                       Worker& worker) const;
+  [[nodiscard]] double largest_edge_ratio(const Mesh& mesh, std::span<const FaceId> faces) const;
   [[nodiscard]] double energy_of(const Mesh& mesh, std::span<const VertexId> vertices) const;
 
   const Model* model_;
