@@ -65,6 +65,12 @@ class CleanUp {
         patch_classes(options_.patches.largest, fewest, mesh_.count_alive_faces());
     PatchOptions patches = options_.patches;
     patches.wanted_faces = mesh_.count_alive_faces();
+    if (fewest) {
+      // The last pairs go only where counts may change by more.
+      patches.most_growth = patches.most_shrinkage = 0.3;
+      patches.fewest_faces_of_large = patches.fewest_faces;
+      patches.most_faces_of_large = patches.most_faces;
+    }
     for (std::size_t i = 0; i < classes.size(); ++i) {
       progress_.report("clean-up", static_cast<double>(i + 1) / static_cast<double>(classes.size() + 1));
       patches.largest = classes[i];
