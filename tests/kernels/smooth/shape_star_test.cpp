@@ -31,13 +31,15 @@ void expect_derivatives_match(const ShapeStar& star, double regularisation) {
   const Quadratic q = star.expand(regularisation);
   const auto f = [&](double x, double y) { return star.value({x, y}, regularisation); };
   EXPECT_DOUBLE_EQ(q.value, f(0, 0));
-  constexpr double h = 1e-4;
+  constexpr double kStep = 1e-4;
   const double scale = 1e-6 * (1 + std::abs(q.xx) + std::abs(q.yy) + length(q.gradient));
-  EXPECT_NEAR(q.gradient.x, (f(h, 0) - f(-h, 0)) / (2 * h), 10 * scale);
-  EXPECT_NEAR(q.gradient.y, (f(0, h) - f(0, -h)) / (2 * h), 10 * scale);
-  EXPECT_NEAR(q.xx, (f(h, 0) - 2 * f(0, 0) + f(-h, 0)) / (h * h), 100 * scale);
-  EXPECT_NEAR(q.yy, (f(0, h) - 2 * f(0, 0) + f(0, -h)) / (h * h), 100 * scale);
-  EXPECT_NEAR(q.xy, (f(h, h) - f(-h, h) - f(h, -h) + f(-h, -h)) / (4 * h * h), 100 * scale);
+  EXPECT_NEAR(q.gradient.x, (f(kStep, 0) - f(-kStep, 0)) / (2 * kStep), 10 * scale);
+  EXPECT_NEAR(q.gradient.y, (f(0, kStep) - f(0, -kStep)) / (2 * kStep), 10 * scale);
+  EXPECT_NEAR(q.xx, (f(kStep, 0) - 2 * f(0, 0) + f(-kStep, 0)) / (kStep * kStep), 100 * scale);
+  EXPECT_NEAR(q.yy, (f(0, kStep) - 2 * f(0, 0) + f(0, -kStep)) / (kStep * kStep), 100 * scale);
+  EXPECT_NEAR(
+      q.xy, (f(kStep, kStep) - f(-kStep, kStep) - f(kStep, -kStep) + f(-kStep, -kStep)) / (4 * kStep * kStep),
+      100 * scale);
 }
 
 TEST(ShapeStar, HasTheDerivativesThatDifferencesShow) {
@@ -66,10 +68,10 @@ TEST(ShapeStar, FollowsTheAspectsOfCornersDownToTheSlopesOfTheirSines) {
     star.follow_stretch();
     const Quadratic q = star.expand(0);
     EXPECT_DOUBLE_EQ(q.value, star.value({}, 0));
-    constexpr double h = 1e-5;
+    constexpr double kStep = 1e-5;
     const double scale = 1e-6 * (1 + length(q.gradient));
-    EXPECT_NEAR(q.gradient.x, (star.value({h, 0}, 0) - star.value({-h, 0}, 0)) / (2 * h), scale);
-    EXPECT_NEAR(q.gradient.y, (star.value({0, h}, 0) - star.value({0, -h}, 0)) / (2 * h), scale);
+    EXPECT_NEAR(q.gradient.x, (star.value({kStep, 0}, 0) - star.value({-kStep, 0}, 0)) / (2 * kStep), scale);
+    EXPECT_NEAR(q.gradient.y, (star.value({0, kStep}, 0) - star.value({0, -kStep}, 0)) / (2 * kStep), scale);
     EXPECT_GE(q.value, 24);
   }
 }
