@@ -71,17 +71,19 @@ class CleanUp {
       patches.fewest_faces_of_large = patches.fewest_faces;
       patches.most_faces_of_large = patches.most_faces;
     }
+    PatchMemory memory;
     for (std::size_t i = 0; i < classes.size(); ++i) {
       progress_.report("clean-up", static_cast<double>(i + 1) / static_cast<double>(classes.size() + 1));
       patches.largest = classes[i];
       if (!fewest && patches.largest > options_.thorough) patches.directions = 0;
       timed(report_.patch_seconds, [&] {
         open();
-        report_.patches.push_back(remesh_patches(mesh_, PlaneModel(), patches, progress_));
+        report_.patches.push_back(remesh_patches(mesh_, PlaneModel(), patches, memory, progress_));
         close();
       });
       timed(report_.smoothing_seconds, [&] { smooth_between(); });
     }
+    mesh_.remove_tag<FaceId>(kSignatureTag);
   }
 
   void smooth_between() { add(report_.between, sweep(options_.between)); }

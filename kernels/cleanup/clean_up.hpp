@@ -44,11 +44,11 @@ struct CleanUpOptions {
   // of them, and takes most of the time.
   std::size_t thorough = 128;
   // Sweeps over the whole mesh at the start and after each size class. Only what is far from good is moved:
-  // moving all takes ten times as long, and leaves as many irregular vertices.
-  ShapeOptions between{.sweeps = 3, .content = 0.6, .content_areas = 2, .tolerance = 0.02};
+  // more sweeps, or moving all, leave as many irregular vertices.
+  ShapeOptions between{.sweeps = 1, .content = 0.6, .content_areas = 2, .tolerance = 0.02};
   // Sweeps at the end.
   ShapeOptions shape;
-  SquareCornersOptions square_corners{.sweeps = 20};
+  SquareCornersOptions square_corners{.sweeps = 10};
   OptimiseOptions optimise;
 };
 

@@ -10,6 +10,7 @@
 #include "engine/geometry/model.hpp"
 #include "engine/operation/pass.hpp"
 #include "kernels/cleanup/patch_layout.hpp"
+#include "kernels/cleanup/patch_memory.hpp"
 #include "kernels/cleanup/patch_scratch.hpp"
 #include "kernels/cleanup/patch_search.hpp"
 #include "kernels/local/replace.hpp"
@@ -26,9 +27,9 @@ class PatchCommit {
   struct Plan {};
 
   // All must outlive the pass. No two proposals share a vertex, rims included. stars has room for the
-  // vertices that all proposals together may add, and is kept up to date.
+  // vertices that all proposals together may add, and is kept up to date, as is the memory.
   PatchCommit(const Mesh& mesh, const Model& model, const PatchOptions& options, PatchStars& stars,
-              std::span<const PatchProposal> proposals);
+              PatchMemory& memory, std::span<const PatchProposal> proposals);
   ~PatchCommit();
 
   bool propose(const Mesh& mesh, Item item, Cavity& cavity, Plan& plan) const;
@@ -52,6 +53,7 @@ class PatchCommit {
   const Model* model_;
   const PatchOptions* options_;
   PatchStars* stars_;
+  PatchMemory* memory_;
   std::span<const PatchProposal> proposals_;
   ConstraintTags tags_;
   mutable std::vector<PatchOutcome> outcomes_;  // each written by the thread that has the proposal

@@ -17,8 +17,9 @@
 namespace quarry {
 namespace {
 
-// Seeds a chunk: a search takes from microseconds to milliseconds.
-constexpr std::size_t kSearchChunk = 4;
+// Seeds a chunk: those of one learn from one another, and chunks are what runs in parallel.
+constexpr std::size_t kSmallestChunk = 4, kLargestChunk = 64;
+constexpr std::size_t kSearchChunks = 64;
 // Commits a chunk: each smooths its patch.
 constexpr std::size_t kCommitChunk = 2;
 // Seeds of a wave: what they find is held until it is committed, and is as large as the class allows.
@@ -40,15 +41,16 @@ class Stopwatch {
 template <GeometryModel Model>
 class PatchRemesher {
  public:
-  PatchRemesher(Mesh& mesh, const Model& model, const PatchOptions& options)
+  PatchRemesher(Mesh& mesh, const Model& model, const PatchOptions& options, PatchMemory& memory)
       : mesh_(mesh),
         model_(model),
         options_(options),
+        memory_(memory),
         stars_(mesh, options.price),
         taken_(mesh.vertex_slots(), 0),
         faces_(mesh.count_alive_faces()),
         wanted_(static_cast<double>(options.wanted_faces > 0 ? options.wanted_faces : faces_)),
-        searches_([this] { return std::make_unique<PatchSearch>(mesh_, stars_, options_); }) {
+        searches_([this] { return std::make_unique<PatchSearch>(mesh_, stars_, memory_, options_); }) {
     report_.largest = options.largest;
 #ifndef NDEBUG
     balance_ = balance_of(mesh, model);
@@ -112,12 +114,12 @@ class PatchRemesher {
   Mesh& mesh_;
   const Model& model_;
   PatchOptions options_;
+  PatchMemory& memory_;
   PatchStars stars_;
   std::vector<std::uint32_t> taken_;  // by vertex: the last wave in which a patch was chosen that has it
   std::size_t faces_;                 // alive
   double wanted_;                     // faces
   std::vector<PatchProposal> proposals_;
-  std::vector<std::uint64_t> refused_;  // keys of patches that were taken back, ascending
   ScratchPool<PatchSearch> searches_;
   PatchReport report_;
 #ifndef NDEBUG
@@ -128,23 +130,30 @@ class PatchRemesher {
 template <GeometryModel Model>
 void PatchRemesher<Model>::search(std::span<const std::uint32_t> seeds, std::vector<std::uint32_t>& again) {
   Stopwatch watch;
+  struct Part {
+    PatchReport counts;
+    std::vector<std::uint64_t> learned;
+  };
   std::vector<std::optional<PatchProposal>> found(seeds.size());
-  const PatchReport counts = parallel::reduce_ordered(
-      seeds.size(), PatchReport(),
+  const Part all = parallel::reduce_ordered(
+      seeds.size(), Part(),
       [&](std::size_t begin, std::size_t end) {
-        PatchReport part;
+        Part part;
         const typename ScratchPool<PatchSearch>::Loan search(searches_);
+        search->begin_chunk();
         for (std::size_t i = begin; i < end; ++i)
-          if (stars_.irregular(VertexId(seeds[i])))
-            found[i] = search->find(VertexId(seeds[i]), refused_, part);
+          if (stars_.irregular(VertexId(seeds[i]))) found[i] = search->find(VertexId(seeds[i]), part.counts);
+        part.learned = search->learned();
         return part;
       },
-      [](PatchReport sum, const PatchReport& part) {
-        sum.add(part);
+      [](Part sum, const Part& part) {
+        sum.counts.add(part.counts);
+        sum.learned.insert(sum.learned.end(), part.learned.begin(), part.learned.end());
         return sum;
       },
-      kSearchChunk);
-  report_.add(counts);
+      std::clamp(seeds.size() / kSearchChunks, kSmallestChunk, kLargestChunk));
+  memory_.learn(all.learned);
+  report_.add(all.counts);
   choose(found, again);
   report_.search_seconds += watch.lap();
 }
@@ -213,7 +222,7 @@ void PatchRemesher<Model>::commit(const Progress& progress, std::vector<std::uin
     room += std::max<std::size_t>(proposal.fresh_faces, proposal.faces.size()) - proposal.faces.size();
   stars_.grow(room);
   taken_.resize(room, 0);
-  const PatchCommit<Model> operation(mesh_, model_, options_, stars_, proposals_);
+  const PatchCommit<Model> operation(mesh_, model_, options_, stars_, memory_, proposals_);
   std::vector<std::uint32_t> work(proposals_.size());
   std::iota(work.begin(), work.end(), 0U);
   PassOptions pass;
@@ -245,28 +254,32 @@ void PatchRemesher<Model>::count_outcomes(const PatchCommit<Model>& operation) {
       case PatchOutcome::kQuality:
         report_.reject(operation.outcome(i) == PatchOutcome::kNoGain ? PatchReject::kNoGain
                                                                      : PatchReject::kQuality);
-        refused_.push_back(proposal.key);
+        memory_.refuse(proposal.key);
     }
   }
-  std::sort(refused_.begin(), refused_.end());
 }
 
 }  // namespace
 
 template <GeometryModel Model>
 PatchReport remesh_patches(Mesh& cut_open, const Model& model, const PatchOptions& options,
-                           const Progress& progress) {
-  return PatchRemesher<Model>(cut_open, model, options).run(progress);
+                           PatchMemory& memory, const Progress& progress) {
+  memory.attach(cut_open);
+  return PatchRemesher<Model>(cut_open, model, options, memory).run(progress);
 }
 
-template PatchReport remesh_patches<PlaneModel>(Mesh&, const PlaneModel&, const PatchOptions&,
+template PatchReport remesh_patches<PlaneModel>(Mesh&, const PlaneModel&, const PatchOptions&, PatchMemory&,
                                                 const Progress&);
 
 std::vector<std::size_t> patch_classes(std::size_t largest, bool fewest, std::size_t faces) {
-  constexpr std::size_t kSmallestClass = 16;
+  constexpr std::size_t kSmallestClass = 32;
+  constexpr std::size_t kStep = 4;
   std::vector<std::size_t> classes;
-  for (std::size_t size = kSmallestClass; size <= largest || (fewest && size < 2 * faces); size *= 2)
-    classes.push_back(size);
+  for (std::size_t size = kSmallestClass; size < largest; size *= kStep) classes.push_back(size);
+  classes.push_back(largest);
+  // Large patches bend many rows: no larger ones than it takes.
+  if (fewest)
+    for (std::size_t size = 2 * largest; size < 2 * faces; size *= 2) classes.push_back(size);
   return classes;
 }
 

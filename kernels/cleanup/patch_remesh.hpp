@@ -7,6 +7,7 @@
 #include "engine/base/progress.hpp"
 #include "engine/geometry/model.hpp"
 #include "engine/mesh/mesh.hpp"
+#include "kernels/cleanup/patch_memory.hpp"
 #include "kernels/cleanup/patch_options.hpp"
 #include "kernels/cleanup/patch_report.hpp"
 
@@ -17,15 +18,17 @@ namespace quarry {
 // too. The mesh: cut open along constraints, with ConstraintTags and the vertex tag "ideal_faces". Triangles
 // are left alone: no patch contains one. Tombstones stay. The result does not depend on the number of
 // threads.
+//
+// memory: new, or that of the size classes before; the mesh keeps the tag kSignatureTag, which belongs to it.
 template <GeometryModel Model>
 PatchReport remesh_patches(Mesh& cut_open, const Model& model, const PatchOptions& options,
-                           const Progress& progress);
+                           PatchMemory& memory, const Progress& progress);
 
 extern template PatchReport remesh_patches<PlaneModel>(Mesh&, const PlaneModel&, const PatchOptions&,
-                                                       const Progress&);
+                                                       PatchMemory&, const Progress&);
 
-// The size classes to run one after the other: 16, 32, ... as long as they are at most `largest`, and once
-// more with all faces when fewest is set (as few irregular vertices as possible, at the price of bent rows).
+// The size classes to run one after the other: 32, 128, ... and `largest`. With fewest, as few irregular
+// vertices as possible at the price of bent rows, they go on doubling until they hold all faces.
 [[nodiscard]] std::vector<std::size_t> patch_classes(std::size_t largest, bool fewest, std::size_t faces);
 
 }  // namespace quarry

@@ -6,46 +6,113 @@
 
 namespace quarry {
 
-std::optional<PatchProposal> PatchSearch::find(VertexId seed, std::span<const std::uint64_t> refused,
-                                               PatchReport& report) {
-  refused_ = refused;
+void PatchSearch::begin_chunk() {
+  failed_here_.clear();
+  found_here_.clear();
+  learned_.clear();
+}
+
+std::optional<PatchProposal> PatchSearch::find(VertexId seed, PatchReport& report) {
   ++report.searches;
-  Candidate found;
   // A path through more of the mesh than the patch may hold leads nowhere.
   partners_.begin(*mesh_, *stars_, seed, options_->largest);
   paths_.resize(std::max(paths_.size(), static_cast<std::size_t>(options_->partners)));
+  std::optional<PatchProposal> proposal;
+  // True if there is nothing more to look for.
+  const auto done = [&](const std::vector<VertexId>& path, Direction direction) {
+    Candidate found;
+    const Growth growth = grow(path, direction, found, report);
+    if (growth == Growth::kFits) proposal = propose(found);
+    return growth != Growth::kFailed;
+  };
   std::size_t partners = 0;
   for (VertexId partner; partners < static_cast<std::size_t>(options_->partners); ++partners) {
     partner = partners_.next();
     if (!partner.valid()) break;
     partners_.path_from(partner, paths_[partners]);
-    if (grow(paths_[partners], {seed, VertexId()}, found, report)) return propose(found);
+    if (done(paths_[partners], {seed, VertexId()})) return proposal;
   }
   if (partners == 0 || options_->directions == 0) return std::nullopt;
   for (std::size_t i = 0; i < partners; ++i)
-    if (grow(paths_[i], {seed, seed}, found, report)) return propose(found);
+    if (done(paths_[i], {seed, seed})) return proposal;
   std::vector<VertexId> ends;
   for_each_side_around(*mesh_, seed, [&](SideId s) { ends.push_back(mesh_->target(s)); });
   for (std::size_t i = 0; i < ends.size() && i < static_cast<std::size_t>(options_->directions); ++i)
-    if (grow(paths_[0], {seed, ends[i]}, found, report)) return propose(found);
+    if (done(paths_[0], {seed, ends[i]})) return proposal;
   return std::nullopt;
 }
 
-bool PatchSearch::grow(const std::vector<VertexId>& path, Direction direction, Candidate& found,
-                       PatchReport& report) {
+PatchSearch::Growth PatchSearch::grow(const std::vector<VertexId>& path, Direction direction,
+                                      Candidate& found, PatchReport& report) {
   growth_.begin(*mesh_, *stars_, options_->largest);
-  bool growing = std::all_of(path.begin(), path.end(), [&](VertexId v) { return growth_.add_star(v); });
-  bool fits = false;
+  signature_ = 0;
+  signed_ = 0;
+  courses_.clear();
   met_refused_ = false;
-  while (growing && growth_.make_convex()) {
-    ++report.stages;
-    fits = try_stage(found, report);
-    if (fits || met_refused_) break;
-    if (direction.to.valid() && push_sides(growing)) continue;
-    growing = direction.to == direction.from ? add_row() : add_ring(direction);
-  }
+  Growth outcome = Growth::kFailed;
+  if (std::all_of(path.begin(), path.end(), [&](VertexId v) { return growth_.add_star(v); }))
+    outcome = grow_on(direction, found, report);
   report.grown_faces += growth_.faces().size();
-  return fits;
+  for (const std::uint64_t course : courses_) {
+    if (outcome == Growth::kFailed)
+      learn(course);
+    else
+      found_here_.insert(course);
+  }
+  return outcome;
+}
+
+PatchSearch::Growth PatchSearch::grow_on(Direction direction, Candidate& found, PatchReport& report) {
+  bool growing = true;
+  while (growing && growth_.make_convex()) {
+    sign_faces();
+    const std::uint64_t course = course_of(direction);
+    if (knows(course)) return Growth::kFailed;
+    if (found_here_.contains(course)) {
+      ++report.duplicates;
+      return Growth::kRepeats;
+    }
+    courses_.push_back(course);
+    if (look(direction, found, report)) return Growth::kFits;
+    if (met_refused_) return Growth::kFailed;
+    if (direction.to.valid() && push_sides(growing)) continue;
+    growing = direction.by_rows() ? add_row() : add_ring(direction);
+  }
+  return Growth::kFailed;
+}
+
+bool PatchSearch::look(Direction direction, Candidate& found, PatchReport& report) {
+  const std::uint64_t key = mix64(signature_);
+  const bool known = knows(key);
+  // Sides are pushed by what the survey finds, also where no fill is.
+  if (known && !direction.to.valid()) return false;
+  PatchReport unused;
+  if (!survey(known ? unused : report)) {
+    if (!known) ++report.stages;
+    learn(key);
+    return false;
+  }
+  if (known) return false;
+  ++report.stages;
+  if (try_fills(found, report)) return true;
+  if (!met_refused_) learn(key);
+  return false;
+}
+
+void PatchSearch::sign_faces() {
+  const std::span<const FaceId> faces = growth_.faces();
+  for (; signed_ < faces.size(); ++signed_) signature_ += memory_->signature(faces[signed_]);
+}
+
+std::uint64_t PatchSearch::course_of(Direction direction) const {
+  const std::uint64_t way =
+      direction.one_sided() ? stamped_key(direction.from, direction.to) : (direction.by_rows() ? 1U : 0U);
+  return mix64(signature_ ^ mix64(way) ^ mix64(~std::uint64_t{options_->largest}));
+}
+
+void PatchSearch::learn(std::uint64_t key) {
+  failed_here_.insert(key);
+  learned_.push_back(key);
 }
 
 // False if nothing can be added.
@@ -116,13 +183,6 @@ bool PatchSearch::push_sides(bool& growing) {
   return !growing || growth_.faces().size() > before;
 }
 
-std::uint64_t PatchSearch::key() const {
-  std::uint64_t sum = 0;
-  for (const VertexId v : growth_.vertices())
-    sum += mix64(v.value() | (std::uint64_t{growth_.on_rim(v)} << 32));
-  return sum;
-}
-
 PatchProposal PatchSearch::propose(const Candidate& candidate) {
   PatchProposal proposal;
   proposal.seed = growth_.smallest_irregular();
@@ -135,7 +195,7 @@ PatchProposal PatchSearch::propose(const Candidate& candidate) {
   proposal.fill = candidate.fill;
   proposal.gain = candidate.gain;
   proposal.fresh_faces = static_cast<std::uint32_t>(count_fresh(candidate));
-  proposal.key = key();
+  proposal.key = signature_;
   collect_ring(proposal);
   return proposal;
 }

@@ -18,6 +18,7 @@
 #include "kernels/cleanup/patch_fill.hpp"
 #include "kernels/cleanup/patch_growth.hpp"
 #include "kernels/cleanup/patch_layout.hpp"
+#include "kernels/cleanup/patch_memory.hpp"
 #include "kernels/cleanup/patch_options.hpp"
 #include "kernels/cleanup/patch_partners.hpp"
 #include "kernels/cleanup/patch_report.hpp"
@@ -42,13 +43,17 @@ struct PatchProposal {
 
 class PatchSearch {
  public:
-  PatchSearch(const Mesh& mesh, const PatchStars& stars, const PatchOptions& options)
-      : mesh_(&mesh), stars_(&stars), options_(&options) {}
+  PatchSearch(const Mesh& mesh, const PatchStars& stars, const PatchMemory& memory,
+              const PatchOptions& options)
+      : mesh_(&mesh), stars_(&stars), memory_(&memory), options_(&options) {}
 
-  // The first patch around seed that gains something and is not one of `refused`, keys in ascending order.
-  // Adds to the counts of the report.
-  [[nodiscard]] std::optional<PatchProposal> find(VertexId seed, std::span<const std::uint64_t> refused,
-                                                  PatchReport& report);
+  // Forgets what was learned since the last call: searches of one chunk learn from one another.
+  void begin_chunk();
+  // The first patch around seed that gains something and was not refused. None too if another search of this
+  // chunk found the same. Adds to the counts of the report.
+  [[nodiscard]] std::optional<PatchProposal> find(VertexId seed, PatchReport& report);
+  // Keys of what failed in this chunk.
+  [[nodiscard]] const std::vector<std::uint64_t>& learned() const { return learned_; }
 
  private:
   struct Candidate {
@@ -68,17 +73,32 @@ class PatchSearch {
   // the same. Without a second vertex sides are not pushed either.
   struct Direction {
     VertexId from, to;
+    [[nodiscard]] bool by_rows() const { return to.valid() && to == from; }
+    [[nodiscard]] bool one_sided() const { return to.valid() && to != from; }
   };
+  enum class Growth : std::uint8_t { kFailed, kFits, kRepeats };
 
-  [[nodiscard]] bool grow(const std::vector<VertexId>& path, Direction direction, Candidate& found,
-                          PatchReport& report);
+  [[nodiscard]] Growth grow(const std::vector<VertexId>& path, Direction direction, Candidate& found,
+                            PatchReport& report);
+  [[nodiscard]] Growth grow_on(Direction direction, Candidate& found, PatchReport& report);
+  // One stage: true if it has a fill that gains something.
+  [[nodiscard]] bool look(Direction direction, Candidate& found, PatchReport& report);
+  void sign_faces();
+  // Names the patch and the way in which it will go on growing.
+  [[nodiscard]] std::uint64_t course_of(Direction direction) const;
+  [[nodiscard]] bool knows(std::uint64_t key) const {
+    return failed_here_.contains(key) || memory_->knows(key);
+  }
+  void learn(std::uint64_t key);
   [[nodiscard]] bool add_ring(Direction limit);
   // Adds the one row along a side that brings in most energy for its faces; of equals the longest.
   [[nodiscard]] bool add_row();
   [[nodiscard]] Row row_along(std::size_t begin) const;
   // Adds a row along each side whose pushing lengthens a spoke that is too short. False if there is none.
   [[nodiscard]] bool push_sides(bool& growing);
-  [[nodiscard]] bool try_stage(Candidate& found, PatchReport& report);
+  // Walks the rim and finds its sides. False if no fill can gain anything.
+  [[nodiscard]] bool survey(PatchReport& report);
+  [[nodiscard]] bool try_fills(Candidate& found, PatchReport& report);
   [[nodiscard]] bool try_sides(const PatchSides& sides, Candidate& found, PatchReport& report);
   // Cuts grids off at reflex vertices, in all ways, and fills what is left.
   [[nodiscard]] bool try_cuts(const PatchRing& ring, Candidate& candidate, PatchReport& report);
@@ -98,18 +118,22 @@ class PatchSearch {
   [[nodiscard]] double energy_with_cuts(const Candidate& candidate);
   [[nodiscard]] double defect_price(const Candidate& candidate);
   [[nodiscard]] bool joins_twice(const Candidate& candidate);
-  [[nodiscard]] std::uint64_t key() const;
   [[nodiscard]] PatchProposal propose(const Candidate& candidate);
   void collect_ring(PatchProposal& proposal);
 
   const Mesh* mesh_;
   const PatchStars* stars_;
+  const PatchMemory* memory_;
   const PatchOptions* options_;
   PatchGrowth growth_;
   PatchPartners partners_;
   PatchLayout layout_;
   StampedMap<char> seen_;
-  std::span<const std::uint64_t> refused_;
+  KeySet failed_here_, found_here_;     // in this chunk
+  std::vector<std::uint64_t> learned_;  // all of failed_here_
+  std::vector<std::uint64_t> courses_;  // of the patch that grows
+  std::uint64_t signature_ = 0;         // of its first signed_ faces
+  std::size_t signed_ = 0;
   bool met_refused_ = false;
   PatchSides outer_;  // by the outer angles, of the last stage; no sides if not walked
   std::vector<std::vector<VertexId>> paths_;  // to the partners, nearest first

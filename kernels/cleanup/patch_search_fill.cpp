@@ -24,7 +24,7 @@ std::uint32_t apex_place(const PatchSides& sides, const PatchFill& fill, std::si
 
 }  // namespace
 
-bool PatchSearch::try_stage(Candidate& found, PatchReport& report) {
+bool PatchSearch::survey(PatchReport& report) {
   outer_.count = 0;
   if (!growth_.is_disk()) {
     report.reject(PatchReject::kNoDisk);
@@ -36,15 +36,19 @@ bool PatchSearch::try_stage(Candidate& found, PatchReport& report) {
     return false;
   }
   growth_.walk_rim(rim_);
+  outer_ = find_sides(growth_, rim_, CornerRule::kOuterAngle);
+  return true;
+}
+
+bool PatchSearch::try_fills(Candidate& found, PatchReport& report) {
   const PatchRing ring = ring_of_rim();
+  found.cuts.clear();
   if (std::any_of(ring.targets.begin(), ring.targets.end(), [](std::uint8_t t) { return t > 2; })) {
-    found.cuts.clear();
     if (try_cuts(ring, found, report)) return true;
     found.cuts.clear();
     if (met_refused_) return false;
   }
   rest_ = ring;
-  outer_ = find_sides(growth_, rim_, CornerRule::kOuterAngle);
   if (try_sides(outer_, found, report)) return true;
   if (met_refused_) return false;
   const PatchSides inner = find_sides(growth_, rim_, CornerRule::kInnerFaces);
@@ -75,7 +79,7 @@ bool PatchSearch::accept(Candidate& candidate, PatchReport& report) {
       growth_.energy() - (candidate.cuts.empty() ? energy_of(candidate) : energy_with_cuts(candidate));
   if (!(candidate.gain > 0)) return reject(PatchReject::kNoGain);
   if (joins_twice(candidate)) return reject(PatchReject::kDoubleEdge);
-  met_refused_ = !refused_.empty() && std::binary_search(refused_.begin(), refused_.end(), key());
+  met_refused_ = memory_->is_refused(signature_);
   return !met_refused_;
 }
 

@@ -82,10 +82,11 @@ TEST(RemeshPatches, LowersTheEnergyAndKeepsChargeValidityAndTheBoundary) {
     Mesh mesh = disk(1500, seed);
     const int charge = test::charge_of(mesh);
     const auto boundary = boundary_of(mesh);
+    PatchMemory memory;
     for (const std::size_t largest : patch_classes(256, false, 0)) {
       SCOPED_TRACE("class " + std::to_string(largest));
       const int before = energy_of(mesh);
-      const PatchReport report = remesh_patches(mesh, PlaneModel(), options_of(largest), Progress());
+      const PatchReport report = remesh_patches(mesh, PlaneModel(), options_of(largest), memory, Progress());
       EXPECT_EQ(validate(mesh, GeometryCheck::kPlanarCorners), "");
       EXPECT_EQ(test::charge_of(mesh), charge);
       EXPECT_EQ(boundary_of(mesh), boundary);
@@ -102,8 +103,9 @@ TEST(RemeshPatches, LowersTheEnergyAndKeepsChargeValidityAndTheBoundary) {
 
 TEST(RemeshPatches, LeavesFourIrregularVerticesInASmallDisk) {
   Mesh mesh = disk(800, 5);
+  PatchMemory memory;
   for (const std::size_t largest : patch_classes(16, true, mesh.count_alive_faces()))
-    remesh_patches(mesh, PlaneModel(), options_of(largest), Progress());
+    remesh_patches(mesh, PlaneModel(), options_of(largest), memory, Progress());
   EXPECT_EQ(validate(mesh, GeometryCheck::kPlanarCorners), "");
   EXPECT_EQ(count_irregular(mesh), 4U);
 }
@@ -124,7 +126,8 @@ TEST(RemeshPatches, FindsNothingInAGrid) {
   Mesh mesh = build_mesh(std::move(x), std::move(y), faces);
   ConstraintTags::add_to(mesh);
   set_ideal_faces(mesh, PlaneModel());
-  const PatchReport report = remesh_patches(mesh, PlaneModel(), options_of(512), Progress());
+  PatchMemory memory;
+  const PatchReport report = remesh_patches(mesh, PlaneModel(), options_of(512), memory, Progress());
   EXPECT_EQ(report.seeds, 0U);
   EXPECT_EQ(report.searches, 0U);
 }
@@ -139,8 +142,9 @@ TEST(RemeshPatches, NeverMovesNorRemovesAPinnedVertex) {
     tags.support[v] = Support::fixed();
     pinned.emplace_back(v, mesh.point(v));
   }
+  PatchMemory memory;
   for (const std::size_t largest : patch_classes(64, false, 0))
-    remesh_patches(mesh, PlaneModel(), options_of(largest), Progress());
+    remesh_patches(mesh, PlaneModel(), options_of(largest), memory, Progress());
   for (const auto& [v, place] : pinned) {
     EXPECT_TRUE(mesh.alive(v));
     EXPECT_EQ(mesh.point(v), place);
@@ -154,7 +158,8 @@ TEST(RemeshPatches, KeepsTheSmallestScaledJacobianAboveTheFloor) {
   options.least_jacobian = 0.5;
   double before = 1;
   for (const double value : scaled_jacobians(mesh)) before = std::min(before, value);
-  remesh_patches(mesh, PlaneModel(), options, Progress());
+  PatchMemory memory;
+  remesh_patches(mesh, PlaneModel(), options, memory, Progress());
   for (const FaceId f : mesh.faces())
     if (mesh.alive(f)) {
       EXPECT_GE(scaled_jacobian(mesh, f), std::min(0.5, before) - 1e-12);
@@ -166,10 +171,11 @@ TEST(RemeshPatches, KeepsToTheGivenGrowth) {
   const auto faces = static_cast<double>(mesh.count_alive_faces());
   PatchOptions options;
   options.most_growth = options.most_shrinkage = 0.02;
+  PatchMemory memory;
   for (const std::size_t largest : patch_classes(128, false, 0)) {
     options.largest = largest;
     options.wanted_faces = static_cast<std::size_t>(faces);
-    remesh_patches(mesh, PlaneModel(), options, Progress());
+    remesh_patches(mesh, PlaneModel(), options, memory, Progress());
     const auto now = static_cast<double>(mesh.count_alive_faces());
     EXPECT_LE(now, 1.02 * faces);
     EXPECT_GE(now, 0.98 * faces);
@@ -201,8 +207,9 @@ TEST(RemeshPatches, KeepsTriangles) {
   rebuild_sides_of_vertices(mesh);
   ASSERT_EQ(validate(mesh, GeometryCheck::kNone), "");
   const int charge = test::charge_of(mesh);
+  PatchMemory memory;
   for (const std::size_t largest : patch_classes(64, false, 0))
-    remesh_patches(mesh, PlaneModel(), options_of(largest), Progress());
+    remesh_patches(mesh, PlaneModel(), options_of(largest), memory, Progress());
   std::size_t triangles = 0;
   for (const FaceId f : mesh.faces()) triangles += mesh.alive(f) && mesh.corner_count(f) == 3 ? 1 : 0;
   EXPECT_EQ(triangles, 2 * cut);
@@ -213,13 +220,14 @@ TEST(RemeshPatches, KeepsTriangles) {
 // Irregular vertices left of the middle, over some disks.
 std::size_t count_left(const IrregularPrice& price) {
   std::size_t count = 0;
-  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 16; ++seed) {
     Mesh mesh = disk(1500, seed);
     PatchOptions options;
     options.price = price;
-    for (const std::size_t largest : patch_classes(64, false, 0)) {
+    PatchMemory memory;
+    for (const std::size_t largest : patch_classes(128, false, 0)) {
       options.largest = largest;
-      remesh_patches(mesh, PlaneModel(), options, Progress());
+      remesh_patches(mesh, PlaneModel(), options, memory, Progress());
     }
     EXPECT_EQ(validate(mesh, GeometryCheck::kPlanarCorners), "");
     for (const VertexId v : mesh.vertices()) {
@@ -241,10 +249,11 @@ TEST(RemeshPatches, LeavesFewerIrregularVerticesWhereTheyAreDear) {
 
 std::vector<std::uint64_t> remeshed(bool reverse) {
   Mesh mesh = disk(1200, 17);
+  PatchMemory memory;
   for (const std::size_t largest : patch_classes(128, false, 0)) {
     PatchOptions options = options_of(largest);
     options.reverse = reverse;
-    remesh_patches(mesh, PlaneModel(), options, Progress());
+    remesh_patches(mesh, PlaneModel(), options, memory, Progress());
   }
   return test::arrays_of(mesh);
 }
@@ -283,8 +292,9 @@ TEST(RemeshPatches, KeepsLinesWithDeadEnds) {
     const int charge = test::charge_of(mesh);
     const auto boundary = boundary_of(mesh);
     int energy = energy_of(mesh);
+    PatchMemory memory;
     for (const std::size_t largest : patch_classes(256, false, 0)) {
-      const PatchReport report = remesh_patches(mesh, PlaneModel(), options_of(largest), Progress());
+      const PatchReport report = remesh_patches(mesh, PlaneModel(), options_of(largest), memory, Progress());
       const int now = energy_of(mesh);
       EXPECT_TRUE(report.count_won() > 0 ? now < energy : now == energy);
       energy = now;
