@@ -47,7 +47,7 @@ endfunction()
 
 # One test program; each of its tests is known to ctest by its own name. LABEL says when it runs:
 #   unit     (default) quick; also under the address and undefined behaviour sanitizers
-#   threads  the same, and under the thread sanitizer too: tests of code that runs in parallel
+#   threads  the same, and those whose names have `Thread` in them under the thread sanitizer too
 #   jobs     whole jobs and long sweeps: in the release build only
 # The target tests_LABEL builds the programs of one label.
 function(quarry_test name)
