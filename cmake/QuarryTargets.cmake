@@ -2,6 +2,9 @@
 #
 #   quarry_library(engine_base SOURCES a.cpp b.cpp LINKS fmt::fmt)
 #   quarry_test(engine_base_test SOURCES ... LINKS quarry::engine_base)
+#
+# The presets compile up to eight sources of a target as one (a unity build): headers and templates cost once, not eight
+# times. A source whose own names meet those of another is given under ALONE instead of SOURCES.
 
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
@@ -23,9 +26,15 @@ endif()
 target_compile_definitions(quarry_options INTERFACE
   $<$<BOOL:${QUARRY_CHECK_CLAIMS}>:QUARRY_CHECK_CLAIMS=1>)
 
+macro(quarry_parse options)
+  cmake_parse_arguments(ARG "" "${options}" "SOURCES;ALONE;LINKS" ${ARGN})
+  set_source_files_properties(${ARG_ALONE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+  list(APPEND ARG_SOURCES ${ARG_ALONE})
+endmacro()
+
 # A folder's library: headers only when no source is given.
 function(quarry_library name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LINKS" ${ARGN})
+  quarry_parse("" ${ARGN})
   if(ARG_SOURCES)
     add_library(quarry_${name} STATIC ${ARG_SOURCES})
     target_link_libraries(quarry_${name} PUBLIC quarry_options ${ARG_LINKS})
@@ -38,11 +47,11 @@ endfunction()
 
 # One test program; each of its tests is known to ctest by its own name. LABEL says when it runs:
 #   unit     (default) quick; also under the address and undefined behaviour sanitizers
-#   threads  the same, and under the thread sanitizer too: tests of code that runs in parallel
+#   threads  the same, and those whose names have `Thread` in them under the thread sanitizer too
 #   jobs     whole jobs and long sweeps: in the release build only
 # The target tests_LABEL builds the programs of one label.
 function(quarry_test name)
-  cmake_parse_arguments(ARG "" "TIMEOUT;LABEL" "SOURCES;LINKS" ${ARGN})
+  quarry_parse("TIMEOUT;LABEL" ${ARGN})
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 300)
   endif()

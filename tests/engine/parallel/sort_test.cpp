@@ -17,7 +17,7 @@ std::vector<std::uint64_t> random_keys(std::size_t size, std::uint64_t mask) {
   return keys;
 }
 
-TEST(SortedOrder, EqualsStdStableSortForAnyWidthOfKeys) {
+TEST(SortedOrder, EqualsStdStableSortForAnyWidthOfKeysAndNumberOfThreads) {
   for (const std::size_t size : {0UL, 1UL, 100UL, 200'000UL}) {
     for (const std::uint64_t mask : {~0ULL, 0x3ffULL, 0xff00ff00ULL, 0ULL}) {
       const auto keys = random_keys(size, mask);
