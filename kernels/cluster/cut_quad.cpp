@@ -17,12 +17,12 @@ struct Rim {
   bool names_vertex;  // the side from which the turn around its origin starts
 };
 
-// The measure of the worse triangle of the cut from corner `from` to the opposite one; -1 if one does not
-// turn left.
-double cut_quality(const Mesh& mesh, FaceId f, int from) {
+QuadCut cut_from(const Mesh& mesh, FaceId f, int from) {
   const auto p = [&](int i) { return mesh.point(mesh.corner(f, (from + i) & 3)); };
-  if (!(orient2d(p(0), p(1), p(2)) > 0 && orient2d(p(0), p(2), p(3)) > 0)) return -1;
-  return std::min(lo_measure(p(0), p(1), p(2)), lo_measure(p(0), p(2), p(3)));
+  if (!(orient2d(p(0), p(1), p(2)) > 0 && orient2d(p(0), p(2), p(3)) > 0)) return {from, -1};
+  // What turns left is valid, however rounding measures it.
+  return {from,
+          std::max(0.0, std::min(scaled_jacobian(p(0), p(1), p(2)), scaled_jacobian(p(0), p(2), p(3))))};
 }
 
 void write_side(Mesh& mesh, ConstraintTags& tags, SideId s, const Rim& rim) {
@@ -34,11 +34,13 @@ void write_side(Mesh& mesh, ConstraintTags& tags, SideId s, const Rim& rim) {
 
 }  // namespace
 
-bool cut_quad(Mesh& mesh, FaceId f) {
-  const double first = cut_quality(mesh, f, 0);
-  const double second = cut_quality(mesh, f, 1);
-  if (std::max(first, second) < 0) return false;
-  const int from = first >= second ? 0 : 1;
+QuadCut best_cut(const Mesh& mesh, FaceId f) {
+  const QuadCut first = cut_from(mesh, f, 0);
+  const QuadCut second = cut_from(mesh, f, 1);
+  return first.quality >= second.quality ? first : second;
+}
+
+void cut_quad(Mesh& mesh, FaceId f, int from) {
   ConstraintTags tags = ConstraintTags::of(mesh);
   std::array<Rim, 4> rim;
   for (int i = 0; i < 4; ++i) {
@@ -60,7 +62,6 @@ bool cut_quad(Mesh& mesh, FaceId f) {
   mesh.set_corner(SideId(g, 0), rim[0].origin);
   mesh.set_neighbour(SideId(f, 2), SideId(g, 0));
   mesh.set_neighbour(SideId(g, 0), SideId(f, 2));
-  return true;
 }
 
 }  // namespace quarry

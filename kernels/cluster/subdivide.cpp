@@ -226,8 +226,10 @@ Mesh subdivide(Mesh&& input, const NodedLines& lines, SubdivideReport& report, c
       return subdivision.take();
     }
     for (const std::uint32_t i : failed) {
-      if (coarse.corner_count(FaceId(i)) == 3 || !cut_quad(coarse, FaceId(i)))
-        throw_too_flat(coarse, FaceId(i));
+      const FaceId f(i);
+      const QuadCut cut = coarse.corner_count(f) == 4 ? best_cut(coarse, f) : QuadCut();
+      if (!cut.valid()) throw_too_flat(coarse, f);
+      cut_quad(coarse, f, cut.from);
       ++report.undone_merges;
     }
   }

@@ -1,5 +1,6 @@
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "pipeline/cli/common_arguments.hpp"
 #include "pipeline/cli/config_file.hpp"
 #include "pipeline/cli/demands.hpp"
+#include "pipeline/cli/mixed_quality.hpp"
 #include "pipeline/cli/outputs.hpp"
 #include "pipeline/cli/progress_bar.hpp"
 #include "pipeline/cli/summary_text.hpp"
@@ -29,7 +31,8 @@ struct ImproveArguments {
   ImproveOptions improve;
   CommonArguments common;
   std::string output, report, picture, config;
-  std::string cleanup = "full";
+  std::string cleanup = "full", elements = "same";
+  std::optional<double> mixed_quality;
   std::vector<std::string> require;
   bool compress = false;
 };
@@ -42,6 +45,8 @@ void check(ImproveArguments& arguments) {
   check_mesh_extension(arguments.output);
   if (!arguments.picture.empty()) check_picture_extension(arguments.picture);
   arguments.improve.cleanup = clean_up_level_of(arguments.cleanup);
+  const double mixed_quality = mixed_quality_of(arguments.elements, arguments.mixed_quality);
+  if (arguments.elements == "mixed") arguments.improve.mixed_quality = mixed_quality;
   check_outputs({arguments.output, arguments.report, arguments.picture}, {arguments.improve.input});
 }
 
@@ -123,6 +128,12 @@ void add_options(CLI::App& command, ImproveArguments& arguments) {
          "topological clean-up: none moves vertices alone; full is the default; fewest goes on for as few "
          "irregular vertices as it can")
       ->check(CLI::IsMember({"none", "local", "full", "fewest"}).description(""));
+  option("--elements", arguments.elements, "same|mixed", shape,
+         "same (default): quadrilaterals and triangles stay what they are; mixed: in the end two triangles "
+         "take the place of each quadrilateral that is worse than --mixed-quality")
+      ->check(CLI::IsMember({"same", "mixed"}).description(""));
+  option("--mixed-quality", arguments.mixed_quality, "Q", shape, kMixedQualityHelp)
+      ->check(CLI::Range(0.0, 1.0));
   option("--size", arguments.improve.size, "H", shape,
          "wanted length of an element's edge; default: sizes stay as they are");
   option(

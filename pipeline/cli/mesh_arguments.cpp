@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "engine/base/error.hpp"
+#include "pipeline/cli/mixed_quality.hpp"
 #include "pipeline/cli/not_built.hpp"
 
 namespace quarry::cli {
@@ -36,8 +37,10 @@ void add_shape_options(CLI::App& command, MeshArguments& arguments) {
     return command.add_option(name, value, help)->type_name(type)->group("Elements");
   };
   option("--elements", arguments.elements, "quad|tri|mixed",
-         "quad (default): quadrilaterals only; tri: triangles only; mixed is not built yet")
+         "quad (default): quadrilaterals only; tri: triangles only; mixed: quadrilaterals, and two triangles "
+         "in place of one that would be worse than --mixed-quality")
       ->check(one_of({"quad", "tri", "mixed"}));
+  option("--mixed-quality", arguments.mixed_quality, "Q", kMixedQualityHelp)->check(CLI::Range(0.0, 1.0));
   option("--method", arguments.method, "deferred|front|blocks",
          "deferred (default): lines are worked into a start mesh; the others are not built yet")
       ->check(one_of({"deferred", "front", "blocks"}));
@@ -105,7 +108,6 @@ double parse_degrees(const std::string& text) {
 }
 
 void refuse_what_is_not_built(const MeshArguments& arguments) {
-  if (arguments.elements == "mixed") fail_not_built("--elements mixed", "use quad or tri");
   if (arguments.method != "deferred") fail_not_built("--method " + arguments.method, "use deferred");
   if (!arguments.size_field.empty()) fail_not_built("--size-field", "use --size or --count");
 }
@@ -183,10 +185,13 @@ void fill_section(MeshArguments& arguments) {
     throw Error(ErrorKind::kUsage, fmt::format("--max-elements is {}: it must be from 1 to {:g}",
                                                section.max_elements, kMostElements));
   refuse_what_is_not_built(arguments);
-  section.elements = arguments.elements == "tri" ? Elements::kTriangle : Elements::kQuad;
+  section.elements = arguments.elements == "tri"     ? Elements::kTriangle
+                     : arguments.elements == "mixed" ? Elements::kMixed
+                                                     : Elements::kQuad;
+  section.mixed_quality = mixed_quality_of(arguments.elements, arguments.mixed_quality);
   section.preset = arguments.preset == "paper" ? Preset::kPaper : Preset::kDefault;
   section.keep_boundary = arguments.keep_boundary;
-  if (arguments.keep_boundary && arguments.elements == "quad" && arguments.quads != "matching")
+  if (arguments.keep_boundary && arguments.elements != "tri" && arguments.quads != "matching")
     throw Error(ErrorKind::kUsage, "--keep-boundary needs --quads matching: clusters halve every edge");
   section.quads = arguments.quads == "matching" ? QuadMethod::kMatching : QuadMethod::kCluster;
   fill_start(arguments);

@@ -214,6 +214,7 @@ class ImproveJob {
 
   void finish() {
     Mesh& mesh = result_.mesh;
+    if (options_.mixed_quality) result_.low_quads = cut_low_quads(mesh, {.quality = *options_.mixed_quality});
     restore_groups(mesh, lines_);
     compact(mesh, EntityOrder::kHilbert);
     require_valid();

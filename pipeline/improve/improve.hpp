@@ -13,6 +13,7 @@
 #include "engine/mesh/mesh.hpp"
 #include "io/mesh/mesh_file.hpp"
 #include "kernels/cleanup/clean_up.hpp"
+#include "kernels/cluster/low_quads.hpp"
 #include "kernels/quality/summary.hpp"
 #include "kernels/smooth/sweep.hpp"
 #include "pipeline/section/stages.hpp"
@@ -22,6 +23,8 @@ namespace quarry {
 struct ImproveOptions {
   std::string input;
   CleanUpLevel cleanup = CleanUpLevel::kFull;
+  // At the end, quads with a smaller scaled Jacobian are cut into triangles where that helps; unset: none is.
+  std::optional<double> mixed_quality = {};
   // Wanted edge of the elements in input units; unset: sizes stay as they are.
   std::optional<double> size = {};
   // How far a vertex of a tagged edge or of the boundary may lie from the straight stretch along which it
@@ -44,6 +47,7 @@ struct ImproveResult {
   std::size_t pieces = 0;        // straight stretches
   CleanUpReport clean_up;
   SweepReport smoothing, corners;
+  LowQuadReport low_quads;         // with mixed_quality
   std::vector<std::string> notes;  // one line each: what the user should know
   std::vector<StageTime> times;
 };

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "pipeline/report/low_quad_counts.hpp"
 #include "pipeline/report/region_summary.hpp"
 
 namespace quarry {
@@ -16,6 +17,10 @@ std::vector<ReportItem> resolved_options(const ImproveOptions& options, const Im
   std::vector<ReportItem> items = {{"cleanup", std::string(name_of(options.cleanup))},
                                    {"tolerance", result.tolerance}};
   if (options.size) items.push_back({"size", *options.size});
+  if (options.mixed_quality) {
+    items.push_back({"elements", std::string("mixed")});
+    items.push_back({"mixed-quality", *options.mixed_quality});
+  }
   return items;
 }
 
@@ -33,6 +38,7 @@ JobReport report_improvement(const ImproveOptions& options, const ImproveResult&
       {"tagged_edges", whole(result.tagged_edges)},   {"fixed_nodes", whole(result.nodes)},
       {"straight_pieces", whole(result.pieces)},      {"turned_faces", whole(result.turned)},
       {"invalid_faces_before", whole(result.invalid)}};
+  if (options.mixed_quality) add_low_quads(report.counts, result.low_quads);
   report.quality = std::move(quality);
   report.quality_before = result.before;
   if (options.cleanup != CleanUpLevel::kNone) report.clean_up = result.clean_up;

@@ -30,21 +30,23 @@ double positive_or_default(const std::optional<double>& value, double fallback, 
 
 }  // namespace
 
+bool makes_quads(const SectionOptions& options) { return options.elements != Elements::kTriangle; }
+
 CleanUpLevel clean_up_level(const SectionOptions& options) {
-  if (options.elements == Elements::kTriangle) return CleanUpLevel::kNone;
+  if (!makes_quads(options)) return CleanUpLevel::kNone;
   return options.cleanup.value_or(options.preset == Preset::kPaper ? CleanUpLevel::kNone
                                                                    : CleanUpLevel::kFull);
 }
 
 int front_steps(const SectionOptions& options) {
-  if (options.elements != Elements::kQuad) return 0;
+  if (!makes_quads(options)) return 0;
   const int of_preset = options.preset == Preset::kPaper ? kPublishedFrontSteps : 0;
   return options.fronts.value_or(of_preset);
 }
 
 double predict_elements(const SectionOptions& options, const Box2& box, double size) {
   const double cells = (box.width() / size + 1) * (box.height() / size + 1);
-  return options.elements == Elements::kQuad ? cells : cells / kTriangleArea;
+  return makes_quads(options) ? cells : cells / kTriangleArea;
 }
 
 double predict_bytes(double elements) { return kBytesOfAnyJob + kBytesPerElement * elements; }
@@ -65,7 +67,7 @@ ResolvedLengths resolve_lengths(const SectionOptions& options, const Box2& box, 
   } else {
     if (!(*options.count >= 1) || !std::isfinite(*options.count))
       throw Error(ErrorKind::kUsage, fmt::format("--count is {}: it must be 1 or more", *options.count));
-    const double unit = options.elements == Elements::kQuad ? 1.0 : kTriangleArea;
+    const double unit = makes_quads(options) ? 1.0 : kTriangleArea;
     lengths.size = std::sqrt(area / *options.count / unit);
   }
   if (lengths.size > box.longer_side())

@@ -9,10 +9,15 @@
 
 #include "engine/geometry/box.hpp"
 #include "kernels/cleanup/clean_up.hpp"
+#include "kernels/cluster/low_quads.hpp"
 
 namespace quarry {
 
-enum class Elements { kQuad, kTriangle };
+enum class Elements {
+  kQuad,
+  kTriangle,
+  kMixed,  // quads, but two triangles where a quad would be too bad
+};
 enum class StartMesh { kCrisscross, kDelaunay, kFile };
 enum class QuadMethod { kCluster, kMatching };
 enum class Preset { kDefault, kPaper };
@@ -28,6 +33,8 @@ struct SectionOptions {
   // Lengths in input units; unset: 0.05, 0.1 and 0.05 of the size.
   std::optional<double> snap, min_edge, tolerance;
   Elements elements = Elements::kQuad;
+  // Of mixed meshes: quads with a smaller scaled Jacobian are cut into triangles where that helps.
+  double mixed_quality = LowQuadOptions().quality;
   StartMesh start = StartMesh::kCrisscross;
   std::string start_file;
   // Direction of the start mesh; neither: along the box where the outline is one, else as for orient_auto.
@@ -58,6 +65,9 @@ struct ResolvedLengths {
 // Fills in defaults. area: of the domain, for --count. Throws Error(kUsage) for values that make no sense and
 // Error(kBudget) when more elements than max_elements are to be expected in the box.
 [[nodiscard]] ResolvedLengths resolve_lengths(const SectionOptions& options, const Box2& box, double area);
+
+// True if the mesh is made of quads, all or most of them.
+[[nodiscard]] bool makes_quads(const SectionOptions& options);
 
 // Steps of alignment fronts that the options and their preset ask for.
 [[nodiscard]] int front_steps(const SectionOptions& options);

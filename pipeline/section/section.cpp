@@ -57,7 +57,7 @@ double area_of(const Outline& outline) {
 }
 
 bool by_matching(const SectionOptions& options) {
-  return options.elements == Elements::kQuad && options.quads == QuadMethod::kMatching;
+  return makes_quads(options) && options.quads == QuadMethod::kMatching;
 }
 
 // Spacing of the triangles that become elements of the wanted size. Clusters halve the triangles' edges.
@@ -65,7 +65,7 @@ bool by_matching(const SectionOptions& options) {
 // equilateral.
 double spacing_of(const SectionOptions& options, double size) {
   constexpr double kSideOfHalfASquare = 1.0745699318235419;
-  if (options.elements != Elements::kQuad) return size;
+  if (!makes_quads(options)) return size;
   if (!by_matching(options)) return 2 * size;
   return options.start == StartMesh::kDelaunay ? kSideOfHalfASquare * size : size;
 }
@@ -83,7 +83,7 @@ void insert(const SectionOptions& options, SectionResult& result, const Progress
   DeferredOptions deferred = options.preset == Preset::kPaper ? paper_options(spacing) : DeferredOptions();
   deferred.spacing = spacing;
   // A triangle becomes two or three quads, or half of one; the start mesh reaches beyond the outline.
-  const double share = options.elements != Elements::kQuad ? 1.0 : by_matching(options) ? 2.0 : 0.5;
+  const double share = !makes_quads(options) ? 1.0 : by_matching(options) ? 2.0 : 0.5;
   deferred.max_faces = result.mesh.face_slots() + static_cast<std::size_t>(share * options.max_elements);
   (void)insert_lines(result.mesh, result.cleaned.lines, deferred, result.deferred, progress);
 }
@@ -92,8 +92,9 @@ void match_to_quads(const SectionOptions& options, SectionResult& result, const 
   MatchingOptions matching;
   matching.searching.seed = options.seed;
   matching.keep_boundary = options.keep_boundary;
-  // What is inverted still may be mended by the clean-up.
-  matching.require_valid = clean_up_level(options) == CleanUpLevel::kNone;
+  // What is inverted still may be mended by the clean-up, or cut.
+  matching.require_valid =
+      clean_up_level(options) == CleanUpLevel::kNone && options.elements != Elements::kMixed;
   result.mesh = make_quads_by_matching(std::move(result.mesh), result.cleaned.lines, matching,
                                        result.matching, progress);
 }
@@ -116,6 +117,11 @@ void clean_up_quads(const SectionOptions& options, SectionResult& result, const 
   const UniformSize size(result.lengths.size);
   clean_up_options.size = &size;
   clean_up(result.mesh, result.cleaned.lines, clean_up_options, result.clean_up, progress);
+}
+
+void cut_into_triangles(const SectionOptions& options, SectionResult& result) {
+  result.low_quads = cut_low_quads(result.mesh, {.quality = options.mixed_quality});
+  if (result.low_quads.cut > 0) compact(result.mesh, EntityOrder::kHilbert);
 }
 
 // Nothing leaves the engine that is not valid on the doubles as they will be written.
@@ -177,11 +183,12 @@ SectionResult mesh_section(const SectionOptions& options, const Progress& progre
   split_pinches(result.mesh, tags);
   if (options.keep_boundary) make_outline_whole(result.mesh, result.cleaned.lines, progress);
   compact(result.mesh, EntityOrder::kHilbert);
-  if (options.elements == Elements::kQuad) {
+  if (makes_quads(options)) {
     clock.start("quads");
     convert_to_quads(options, result, progress);
     clock.start("clean-up");
     clean_up_quads(options, result, progress);
+    if (options.elements == Elements::kMixed) cut_into_triangles(options, result);
     if (by_matching(options)) require_convex_quads(result.mesh);
   } else {
     clock.start("smoothing");

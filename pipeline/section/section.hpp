@@ -6,6 +6,7 @@
 #include "engine/geometry/line_set.hpp"
 #include "engine/mesh/mesh.hpp"
 #include "kernels/cleanup/clean_up.hpp"
+#include "kernels/cluster/low_quads.hpp"
 #include "kernels/cluster/quads.hpp"
 #include "kernels/deferred/options.hpp"
 #include "kernels/linework/clean_lines.hpp"
@@ -30,7 +31,8 @@ struct SectionResult {
   QuadReport quads;         // of quad meshes by clusters
   MatchingReport matching;  // of quad meshes by matching
   CleanUpReport clean_up;
-  SweepReport smoothing;  // of triangle meshes
+  LowQuadReport low_quads;  // of mixed meshes
+  SweepReport smoothing;    // of triangle meshes
   std::vector<StageTime> times;
 };
 

@@ -8,6 +8,7 @@
 
 #include "pipeline/report/input_hash.hpp"
 #include "pipeline/report/line_distance.hpp"
+#include "pipeline/report/low_quad_counts.hpp"
 #include "pipeline/report/region_summary.hpp"
 
 namespace quarry {
@@ -25,54 +26,72 @@ std::string start_text(const SectionOptions& options) {
   return options.start == StartMesh::kDelaunay ? "delaunay" : "4-8";
 }
 
-std::vector<ReportItem> counts_of(const SectionResult& result, const QualitySummary& quality) {
+const char* name_of(Elements elements) {
+  switch (elements) {
+    case Elements::kTriangle:
+      return "tri";
+    case Elements::kMixed:
+      return "mixed";
+    case Elements::kQuad:
+      break;
+  }
+  return "quad";
+}
+
+std::vector<ReportItem> counts_of(const SectionOptions& options, const SectionResult& result,
+                                  const QualitySummary& quality) {
   const CleanCounts& c = result.cleaned.counts;
   const DeferredReport& d = result.deferred;
-  return {{"vertices", whole(quality.vertices)},
-          {"triangles", whole(quality.triangles.faces)},
-          {"quads", whole(quality.quads.faces)},
-          {"line_edges", whole(quality.edges)},
-          {"regions", std::int64_t{result.regions}},
-          {"input_lines", whole(result.cleaned.ledger.size())},
-          {"cleaned_nodes", whole(result.cleaned.lines.nodes.size())},
-          {"cleaned_pieces", whole(result.cleaned.lines.pieces.size())},
-          {"crossings", std::int64_t{c.crossings}},
-          {"reroutes", std::int64_t{c.reroutes}},
-          {"simplified_bends", std::int64_t{c.simplified}},
-          {"collapsed_pieces", std::int64_t{c.collapsed}},
-          {"short_pieces_kept", std::int64_t{c.short_pieces}},
-          {"smallest_line_angle", c.smallest_angle},
-          {"largest_move", c.largest_move},
-          {"attractions", whole(d.attractions)},
-          {"flips", whole(d.flips)},
-          {"splits", whole(d.splits)},
-          {"fallbacks", whole(d.fallbacks)},
-          {"rebuilt_pieces", whole(d.rebuilt)},
-          {"pairs", whole(result.quads.mixed.pairing.pairs)},
-          {"single_triangles", whole(result.quads.mixed.pairing.singles)},
-          {"steiner_points", whole(result.matching.steiner_points)},
-          {"edges_halved_for_parity", whole(result.matching.parity.halved_edges)},
-          {"forced_merges_opened", whole(result.matching.ears.opened)}};
+  std::vector<ReportItem> counts = {{"vertices", whole(quality.vertices)},
+                                    {"triangles", whole(quality.triangles.faces)},
+                                    {"quads", whole(quality.quads.faces)},
+                                    {"line_edges", whole(quality.edges)},
+                                    {"regions", std::int64_t{result.regions}},
+                                    {"input_lines", whole(result.cleaned.ledger.size())},
+                                    {"cleaned_nodes", whole(result.cleaned.lines.nodes.size())},
+                                    {"cleaned_pieces", whole(result.cleaned.lines.pieces.size())},
+                                    {"crossings", std::int64_t{c.crossings}},
+                                    {"reroutes", std::int64_t{c.reroutes}},
+                                    {"simplified_bends", std::int64_t{c.simplified}},
+                                    {"collapsed_pieces", std::int64_t{c.collapsed}},
+                                    {"short_pieces_kept", std::int64_t{c.short_pieces}},
+                                    {"smallest_line_angle", c.smallest_angle},
+                                    {"largest_move", c.largest_move},
+                                    {"attractions", whole(d.attractions)},
+                                    {"flips", whole(d.flips)},
+                                    {"splits", whole(d.splits)},
+                                    {"fallbacks", whole(d.fallbacks)},
+                                    {"rebuilt_pieces", whole(d.rebuilt)},
+                                    {"pairs", whole(result.quads.mixed.pairing.pairs)},
+                                    {"single_triangles", whole(result.quads.mixed.pairing.singles)},
+                                    {"steiner_points", whole(result.matching.steiner_points)},
+                                    {"edges_halved_for_parity", whole(result.matching.parity.halved_edges)},
+                                    {"forced_merges_opened", whole(result.matching.ears.opened)}};
+  if (options.elements == Elements::kMixed) add_low_quads(counts, result.low_quads);
+  return counts;
 }
 
 }  // namespace
 
 std::vector<ReportItem> resolved_options(const SectionOptions& options, const SectionResult& result) {
-  return {{"size", result.lengths.size},
-          {"snap", result.lengths.snap},
-          {"min-edge", result.lengths.min_edge},
-          {"tolerance", result.lengths.tolerance},
-          {"boundary", boundary_text(options)},
-          {"elements", std::string(options.elements == Elements::kQuad ? "quad" : "tri")},
-          {"method", std::string("deferred")},
-          {"start", start_text(options)},
-          {"orient", result.orient_degrees},
-          {"preset", std::string(options.preset == Preset::kPaper ? "paper" : "default")},
-          {"fronts", whole(static_cast<std::uint64_t>(front_steps(options)))},
-          {"quads", std::string(options.quads == QuadMethod::kMatching ? "matching" : "cluster")},
-          {"keep-boundary", whole(options.keep_boundary ? 1 : 0)},
-          {"cleanup", std::string(name_of(clean_up_level(options)))},
-          {"seed", whole(options.seed)}};
+  std::vector<ReportItem> items = {
+      {"size", result.lengths.size},
+      {"snap", result.lengths.snap},
+      {"min-edge", result.lengths.min_edge},
+      {"tolerance", result.lengths.tolerance},
+      {"boundary", boundary_text(options)},
+      {"elements", std::string(name_of(options.elements))},
+      {"method", std::string("deferred")},
+      {"start", start_text(options)},
+      {"orient", result.orient_degrees},
+      {"preset", std::string(options.preset == Preset::kPaper ? "paper" : "default")},
+      {"fronts", whole(static_cast<std::uint64_t>(front_steps(options)))},
+      {"quads", std::string(options.quads == QuadMethod::kMatching ? "matching" : "cluster")},
+      {"keep-boundary", whole(options.keep_boundary ? 1 : 0)},
+      {"cleanup", std::string(name_of(clean_up_level(options)))},
+      {"seed", whole(options.seed)}};
+  if (options.elements == Elements::kMixed) items.push_back({"mixed-quality", options.mixed_quality});
+  return items;
 }
 
 std::string option_text(const std::vector<ReportItem>& options) {
@@ -108,7 +127,7 @@ JobReport report_section(const SectionOptions& options, const SectionResult& res
     report.line_distances = measure_line_distances(result.mesh, result.lines, result.cleaned.ledger);
     report.regions = summarize_regions(result.mesh);
   }
-  report.counts = counts_of(result, quality);
+  report.counts = counts_of(options, result, quality);
   report.quality = std::move(quality);
   report.passes = {result.deferred.nodes, result.deferred.pieces};
   for (const auto& passes : {result.matching.openings, result.matching.rings})

@@ -132,7 +132,9 @@ TEST(CutQuad, LeavesTwoValidTrianglesAndTheConstraintBits) {
     Mesh mesh = build_mesh({0, 3, 3, 0}, {0, 0, 1, 2}, faces);
     ConstraintTags tags = ConstraintTags::add_to(mesh);
     tags.set_constrained(SideId(FaceId(0U), constrained), true);
-    ASSERT_TRUE(cut_quad(mesh, FaceId(0U)));
+    const QuadCut cut = best_cut(mesh, FaceId(0U));
+    ASSERT_TRUE(cut.valid());
+    cut_quad(mesh, FaceId(0U), cut.from);
     EXPECT_EQ(validate(mesh, GeometryCheck::kPlanarCorners), "");
     const SideId s = mesh.find_side(VertexId(static_cast<std::uint32_t>(constrained)),
                                     VertexId(static_cast<std::uint32_t>((constrained + 1) % 4)));

@@ -61,6 +61,19 @@ TEST_F(ImproveCommand, WithoutCleanUpKeepsTheTopology) {
   EXPECT_FALSE(json.contains("cleanup"));
 }
 
+TEST_F(ImproveCommand, CutsLowQuadsIfAskedTo) {
+  const std::string report = folder_ / "r.json";
+  ASSERT_EQ(run_quarry({"improve", mesh(), "-o", folder_ / "out.msh", "--elements", "mixed",
+                        "--mixed-quality", "0.6", "--report", report})
+                .exit_code,
+            0);
+  const nlohmann::json json = nlohmann::json::parse(read_text(report));
+  EXPECT_EQ(json["options"]["mixed-quality"], 0.6);
+  EXPECT_EQ(json["quality_before"]["triangles"], 0);
+  EXPECT_GT(json["counts"]["quads_cut"], 0);
+  EXPECT_EQ(json["quality"]["triangles"], 2 * json["counts"]["quads_cut"].get<int>());
+}
+
 TEST_F(ImproveCommand, WritesTheSameBytesOnAnyNumberOfThreads) {
   const std::string input = mesh();
   std::string one;
@@ -91,6 +104,7 @@ TEST_F(ImproveCommand, RefusesInOneLine) {
   expect_failure({input, "-o", input}, 2, "in.vtu");
   expect_failure({input, "-o", output, "--cleanup", "most"}, 2, "most");
   expect_failure({input, "-o", output, "--size", "-1"}, 2, "--size");
+  expect_failure({input, "-o", output, "--mixed-quality", "0.4"}, 2, "--elements mixed");
   expect_failure({input, "-o", output, "--tolerance", "nan"}, 2, "--tolerance");
   expect_failure({folder_ / "none.msh", "-o", output}, 3, "none.msh");
   expect_failure({folder_.write("broken.inp", "*NODE\n1, x\n"), "-o", output}, 3, "broken.inp:2: ");

@@ -69,7 +69,6 @@ TEST(CommandLine, WhatIsNotBuiltSaysSo) {
   const std::vector<std::vector<std::string>> values = {
       {"--method", "front"},
       {"--method", "blocks"},
-      {"--elements", "mixed"},
       {"--size-field", "s.tif"},
   };
   for (const std::vector<std::string>& value : values) {
@@ -81,6 +80,41 @@ TEST(CommandLine, WhatIsNotBuiltSaysSo) {
     expect_usage_error({command}, "not built yet");
     expect_usage_error({command, "some", "--option", "3"}, "not built yet");
   }
+}
+
+TEST(MixedElements, AreQuadsAndFewTriangles) {
+  const TestFolder folder;
+  const CommandResult result =
+      run_quarry({"mesh", kDemoSection, "-o", folder / "out.msh", "--size", "20", "--elements", "mixed",
+                  "--mixed-quality", "0.6", "--require", "mean-sj=0.5", "--report", folder / "r.json",
+                  "--picture", folder / "out.svg"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const nlohmann::json report = nlohmann::json::parse(read_text(folder / "r.json"));
+  EXPECT_EQ(report["options"]["elements"], "mixed");
+  EXPECT_EQ(report["options"]["mixed-quality"], 0.6);
+  const std::size_t cut = report["counts"]["quads_cut"];
+  EXPECT_GT(cut, 0U);
+  EXPECT_LE(cut, report["counts"]["quads_below_quality"].get<std::size_t>());
+  EXPECT_EQ(report["counts"]["triangles"], 2 * cut);
+  EXPECT_EQ(report["quality"]["of_triangles"]["faces"], 2 * cut);
+  EXPECT_GT(report["quality"]["of_quads"]["faces"], 10 * cut);
+  for (const char* format : {"out.vtu", "out.obj", "out.inp"}) {
+    ASSERT_EQ(run_quarry({"convert", folder / "out.msh", folder / format}).exit_code, 0) << format;
+    const CommandResult quality = run_quarry({"quality", folder / format, "--json"});
+    EXPECT_EQ(nlohmann::json::parse(quality.out)["triangles"], 2 * cut) << format;
+  }
+}
+
+TEST(MixedElements, AloneHaveAQuality) {
+  expect_usage_error({"mesh", kDemoSection, "-o", "out.vtu", "--size", "20", "--mixed-quality", "0.3"},
+                     "--elements mixed");
+  for (const std::string quality : {"-0.1", "1.5", "x"})
+    expect_usage_error({"mesh", kDemoSection, "-o", "out.vtu", "--size", "20", "--elements", "mixed",
+                        "--mixed-quality", quality},
+                       "--mixed-quality");
+  expect_usage_error(
+      {"mesh", kDemoSection, "-o", "out.vtu", "--size", "20", "--elements", "mixed", "--keep-boundary"},
+      "--quads matching");
 }
 
 TEST(ConfigFile, GivesWhatTheCommandLineDoesNot) {

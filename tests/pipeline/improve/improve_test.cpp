@@ -1,5 +1,6 @@
 #include "pipeline/improve/improve.hpp"
 
+#include <cmath>
 #include <map>
 
 #include <gtest/gtest.h>
@@ -160,6 +161,28 @@ TEST_F(ImproveJob, SaysWhereAMeshStaysInvalid) {
   // A corner of the boundary that is reflex within one quad: no vertex may move.
   expect_error(folder_.file("a.obj", "v 0 0\nv 2 0\nv 0.5 0.5\nv 0 2\nf 1 2 3 4\n"), ErrorKind::kGeometry,
                "1 faces cannot be made valid");
+}
+
+TEST_F(ImproveJob, CutsAQuadThatCannotBeMadeValidIfTrianglesAreWelcome) {
+  const std::string path = folder_.file("a.obj", "v 0 0\nv 2 0\nv 0.5 0.5\nv 0 2\nf 1 2 3 4\n");
+  const ImproveResult result = improve_mesh({.input = path, .mixed_quality = 0.3}, {});
+  EXPECT_EQ(result.low_quads.cut, 1U);
+  EXPECT_EQ(validate(result.mesh, GeometryCheck::kPlanarCorners), "");
+}
+
+TEST_F(ImproveJob, KeepsTaggedEdgesOfQuadsThatItCuts) {
+  // The first quad has a corner of nearly half a turn, where the boundary bends.
+  const std::string path = folder_.file("a.obj",
+                                        "v 0 0\nv 1 -0.05\nv 2 0\nv 1 1\nv 2.6 1.8\nv 3 0.4\nf 1 2 3 4\nf 3 "
+                                        "6 5 4\ng line_2\nl 3 4\ng line_7\nl "
+                                        "2 3\n");
+  const ImproveResult result = improve_mesh({.input = path, .mixed_quality = 0.3}, {});
+  EXPECT_EQ(result.low_quads.cut, 1U);
+  EXPECT_EQ(summarize_quality(result.mesh).quads.faces, 1U);
+  EXPECT_EQ(validate(result.mesh, GeometryCheck::kPlanarCorners), "");
+  const Lengths lengths = edge_lengths(result.mesh);
+  EXPECT_NEAR(lengths.at({2, 1}), std::sqrt(2.0), 1e-12);
+  EXPECT_NEAR(lengths.at({7, 2}), std::hypot(1.0, 0.05), 1e-12);
 }
 
 TEST_F(ImproveJob, RefusesSurfacesAndMeshesWithoutFaces) {
