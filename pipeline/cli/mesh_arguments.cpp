@@ -17,6 +17,9 @@ namespace {
 // The most that the engine's 32-bit numbers of sides can hold, with room for what is deleted on the way.
 constexpr double kMostElements = 5e8;
 
+// A number that is mistyped should not run for days.
+constexpr int kMostAnnealingSweeps = 100'000;
+
 // A check that says nothing in the help text, where the type already tells the values.
 CLI::Validator one_of(std::vector<std::string> values) {
   return CLI::IsMember(std::move(values)).description("");
@@ -62,6 +65,11 @@ void add_shape_options(CLI::App& command, MeshArguments& arguments) {
          "how triangles become quadrilaterals: cluster halves every edge; matching keeps the edges of the "
          "triangles; default cluster")
       ->check(one_of({"cluster", "matching"}));
+  option(
+      "--anneal", arguments.section.anneal, "N",
+      "with --quads matching: N sweeps of annealing, reproducible by --seed, for fewer Steiner points where "
+      "lines are few; default 0")
+      ->check(CLI::Range(0, kMostAnnealingSweeps));
   option(
       "--cleanup", arguments.cleanup, "none|local|full|fewest",
       "topological clean-up: small changes, and patches of up to 512 faces (full) or of any size (fewest); "
@@ -194,6 +202,8 @@ void fill_section(MeshArguments& arguments) {
   if (arguments.keep_boundary && arguments.elements != "tri" && arguments.quads != "matching")
     throw Error(ErrorKind::kUsage, "--keep-boundary needs --quads matching: clusters halve every edge");
   section.quads = arguments.quads == "matching" ? QuadMethod::kMatching : QuadMethod::kCluster;
+  if (section.anneal > 0 && (section.quads != QuadMethod::kMatching || !makes_quads(section)))
+    throw Error(ErrorKind::kUsage, "--anneal needs quadrilaterals by --quads matching");
   fill_start(arguments);
   if (!arguments.cleanup.empty()) section.cleanup = clean_up_level_of(arguments.cleanup);
 }

@@ -45,6 +45,8 @@ struct SectionOptions {
   // says (none, or 4 as published).
   std::optional<int> fronts;
   QuadMethod quads = QuadMethod::kCluster;
+  // Sweeps of annealing while triangles are matched.
+  int anneal = 0;
   // The boundary has the outline's own vertices alone: none added, none moved. With matching.
   bool keep_boundary = false;
   // Topological clean-up of quads; unset: full, or none with the published procedure.

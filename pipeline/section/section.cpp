@@ -90,6 +90,7 @@ void insert(const SectionOptions& options, SectionResult& result, const Progress
 
 void match_to_quads(const SectionOptions& options, SectionResult& result, const Progress& progress) {
   MatchingOptions matching;
+  matching.searching.annealing_sweeps = options.anneal;
   matching.searching.seed = options.seed;
   matching.keep_boundary = options.keep_boundary;
   // What is inverted still may be mended by the clean-up, or cut.

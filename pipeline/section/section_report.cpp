@@ -65,6 +65,7 @@ std::vector<ReportItem> counts_of(const SectionOptions& options, const SectionRe
                                     {"pairs", whole(result.quads.mixed.pairing.pairs)},
                                     {"single_triangles", whole(result.quads.mixed.pairing.singles)},
                                     {"steiner_points", whole(result.matching.steiner_points)},
+                                    {"annealing_moves", whole(result.matching.search.annealing_moves)},
                                     {"edges_halved_for_parity", whole(result.matching.parity.halved_edges)},
                                     {"forced_merges_opened", whole(result.matching.ears.opened)}};
   if (options.elements == Elements::kMixed) add_low_quads(counts, result.low_quads);
@@ -90,6 +91,8 @@ std::vector<ReportItem> resolved_options(const SectionOptions& options, const Se
       {"keep-boundary", whole(options.keep_boundary ? 1 : 0)},
       {"cleanup", std::string(name_of(clean_up_level(options)))},
       {"seed", whole(options.seed)}};
+  if (options.quads == QuadMethod::kMatching)
+    items.push_back({"anneal", whole(static_cast<std::uint64_t>(options.anneal))});
   if (options.elements == Elements::kMixed) items.push_back({"mixed-quality", options.mixed_quality});
   return items;
 }

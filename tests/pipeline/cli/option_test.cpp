@@ -117,6 +117,21 @@ TEST(MixedElements, AloneHaveAQuality) {
       "--quads matching");
 }
 
+TEST(Annealing, IsToldInTheReportAndNeedsMatching) {
+  const TestFolder folder;
+  ASSERT_EQ(run_quarry({"mesh", kDemoSection, "-o", folder / "out.vtu", "--size", "20", "--quads", "matching",
+                        "--anneal", "10", "--report", folder / "r.json"})
+                .exit_code,
+            0);
+  EXPECT_EQ(options_of(folder / "r.json")["anneal"], 10);
+  EXPECT_GT(nlohmann::json::parse(read_text(folder / "r.json"))["counts"]["annealing_moves"], 0);
+  expect_usage_error({"mesh", kDemoSection, "-o", "out.vtu", "--size", "20", "--anneal", "10"}, "matching");
+  expect_usage_error({"mesh", kDemoSection, "-o", "out.vtu", "--size", "20", "--quads", "matching",
+                      "--elements", "tri", "--anneal", "10"},
+                     "--anneal");
+  expect_usage_error({"mesh", kDemoSection, "-o", "out.vtu", "--size", "20", "--anneal", "-1"}, "--anneal");
+}
+
 TEST(ConfigFile, GivesWhatTheCommandLineDoesNot) {
   const TestFolder folder;
   const std::string config = folder.write("job.toml",

@@ -94,6 +94,43 @@ TEST(SectionMatching, EndsInValidQuadsOrSaysWhereNot) {
   EXPECT_GE(valid, 10);
 }
 
+TEST(SectionMatching, AnnealingLeavesFewerSteinerPoints) {
+  std::uint64_t without = 0, annealed = 0;
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    // Few lines: near many there are Steiner points that no search can do without.
+    Dice dice(seed);
+    const Polyline line = {dice.point(100), dice.point(100)};
+    const LineFile file("anneal.geojson",
+                        geojson_text({{{0, 0}, {100, 0}, {100, 100}, {0, 100}, {0, 0}}, line}));
+    SectionOptions options = matching_options(file.path(), 1);
+    options.cleanup = CleanUpLevel::kNone;
+    without += mesh_section(options, {}).matching.steiner_points;
+    options.anneal = 50;
+    annealed += mesh_section(options, {}).matching.steiner_points;
+  }
+  EXPECT_LT(static_cast<double>(annealed), 0.8 * static_cast<double>(without))
+      << annealed << " and " << without;
+}
+
+TEST(SectionMatching, AnnealingIsAFunctionOfTheSeedAndNotOfThreads) {
+  const LineFile file("anneal.geojson", geojson_text(random_lines(2)));
+  SectionOptions options = matching_options(file.path(), 2);
+  options.anneal = 30;
+  std::vector<std::uint64_t> expected;
+  for (const int threads : {1, 2, 4, 7}) {
+    const parallel::ParticipationProbe probe;
+    parallel::with_threads(threads, [&] {
+      const SectionResult result = mesh_section(options, {});
+      EXPECT_GT(result.matching.search.annealing_moves, 0U);
+      if (threads == 1) expected = test::arrays_of(result.mesh);
+      EXPECT_EQ(test::arrays_of(result.mesh) == expected, true) << threads << " threads";
+    });
+    EXPECT_EQ(probe.chunks_of_other_threads() > 0, threads > 1) << threads << " threads";
+  }
+  options.seed = 1;
+  EXPECT_EQ(test::arrays_of(mesh_section(options, {}).mesh) == expected, false);
+}
+
 TEST(SectionMatching, KeepsTheOutlinesOwnVertices) {
   const LineFile file("even.geojson", ellipse_text(60));
   SectionOptions options = matching_options(file.path(), 4);
