@@ -5,13 +5,13 @@
 #include <cctype>
 #include <fmt/format.h>
 
+#include "io/mapped_file.hpp"
 #include "io/mesh/group_name.hpp"
 #include "io/mesh/inp_format.hpp"
 #include "io/mesh/inp_line.hpp"
 #include "io/mesh/inp_sets.hpp"
-#include "io/mesh/mapped_file.hpp"
 #include "io/mesh/number_index.hpp"
-#include "io/mesh/text_cursor.hpp"
+#include "io/text_cursor.hpp"
 
 namespace quarry {
 namespace {

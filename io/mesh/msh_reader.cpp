@@ -6,12 +6,12 @@
 #include <fmt/format.h>
 
 #include "engine/base/error.hpp"
+#include "io/mapped_file.hpp"
 #include "io/mesh/group_name.hpp"
-#include "io/mesh/mapped_file.hpp"
 #include "io/mesh/msh_format.hpp"
 #include "io/mesh/number_index.hpp"
 #include "io/mesh/read_cells.hpp"
-#include "io/mesh/text_cursor.hpp"
+#include "io/text_cursor.hpp"
 
 namespace quarry {
 namespace {

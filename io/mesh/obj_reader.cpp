@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
+#include "io/mapped_file.hpp"
 #include "io/mesh/group_name.hpp"
-#include "io/mesh/mapped_file.hpp"
 #include "io/mesh/obj_format.hpp"
 #include "io/mesh/read_cells.hpp"
-#include "io/mesh/text_cursor.hpp"
+#include "io/text_cursor.hpp"
 
 namespace quarry {
 namespace {

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "engine/base/error.hpp"
-#include "io/mesh/mapped_file.hpp"
+#include "io/mapped_file.hpp"
 #include "io/mesh/read_cells.hpp"
 #include "io/mesh/vtu_data.hpp"
 

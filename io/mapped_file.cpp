@@ -1,4 +1,4 @@
-#include "io/mesh/mapped_file.hpp"
+#include "io/mapped_file.hpp"
 
 #include <cstring>
 

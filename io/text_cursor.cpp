@@ -1,4 +1,4 @@
-#include "io/mesh/text_cursor.hpp"
+#include "io/text_cursor.hpp"
 
 #include <algorithm>
 
