@@ -1,7 +1,9 @@
 #include "kernels/cleanup/local.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <chrono>
+#include <cmath>
 
 #include "engine/base/log.hpp"
 #include "engine/parallel/parallel.hpp"
@@ -12,6 +14,7 @@ namespace quarry {
 namespace {
 
 constexpr const char* kFacesTag = "faces_of_vertex";
+constexpr const char* kPriceTag = "price_of_vertex";
 
 class Stopwatch {
  public:
@@ -23,11 +26,11 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-// The tags that the operators work with; the count of faces lives as long as this.
+// The tags that the operators work with; the count of faces and the prices live as long as this.
 class CountedTags {
  public:
   template <GeometryModel Model>
-  CountedTags(Mesh& mesh, const Model& model) : mesh_(mesh) {
+  CountedTags(Mesh& mesh, const Model& model, const IrregularPrice& price) : mesh_(mesh) {
     tags_.constraints = ConstraintTags::of(mesh);
     tags_.ideal = mesh.find_tag<VertexId, std::uint8_t>(kIdealTag);
     if (!tags_.ideal.valid()) tags_.ideal = set_ideal_faces(mesh, model);
@@ -36,14 +39,28 @@ class CountedTags {
       const VertexId v(i);
       if (mesh.alive(v)) for_each_side_around(mesh, v, [&](SideId) { ++tags_.faces[v]; });
     });
+    if (price) set_prices(price);
   }
-  ~CountedTags() { mesh_.remove_tag<VertexId>(kFacesTag); }
+  ~CountedTags() {
+    mesh_.remove_tag<VertexId>(kFacesTag);
+    if (tags_.price.valid()) mesh_.remove_tag<VertexId>(kPriceTag);
+  }
   CountedTags(const CountedTags&) = delete;
   CountedTags& operator=(const CountedTags&) = delete;
 
   [[nodiscard]] const LocalTags& tags() const { return tags_; }
 
  private:
+  void set_prices(const IrregularPrice& price) {
+    tags_.price = mesh_.add_tag<VertexId, std::uint16_t>(kPriceTag, kPriceUnit);
+    parallel::for_each(mesh_.vertex_slots(), [&](std::size_t i) {
+      const VertexId v(i);
+      if (!mesh_.alive(v)) return;
+      const double units = std::clamp<double>(kPriceUnit * price(mesh_.point3(v)), 1, kHighestPrice);
+      tags_.price[v] = static_cast<std::uint16_t>(std::lround(units));
+    });
+  }
+
   Mesh& mesh_;
   LocalTags tags_;
 };
@@ -149,7 +166,7 @@ template <GeometryModel Model>
 LocalCleanupReport clean_up_locally(Mesh& mesh, const Model& model, const LocalCleanupOptions& options,
                                     const Progress& progress) {
   const Stopwatch watch;
-  const CountedTags counted(mesh, model);
+  const CountedTags counted(mesh, model, options.price);
   LocalCleanupReport report;
   const Irregular before = count_irregular(mesh, counted.tags());
   report.irregular_before = before.count;

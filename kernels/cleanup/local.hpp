@@ -10,6 +10,7 @@
 #include "engine/base/progress.hpp"
 #include "engine/geometry/model.hpp"
 #include "engine/mesh/mesh.hpp"
+#include "kernels/cleanup/irregular_price.hpp"
 
 namespace quarry {
 
@@ -19,7 +20,10 @@ struct LocalCleanupOptions {
   // before.
   double floor = 0.3;
   std::uint32_t most_ways = 3;  // at one vertex and operator, one after the other fails
-  bool reverse = false;         // of PassOptions, for tests
+  // Energies of vertices are weighed with it, as it is where they lie at the start, in steps of a sixteenth
+  // and from that to 64. A new vertex has the price of the one that it is split from.
+  IrregularPrice price = {};
+  bool reverse = false;  // of PassOptions, for tests
 };
 
 // What one operator did, all sweeps together.
@@ -44,9 +48,9 @@ struct LocalCleanupReport {
 
 // Cleans up a mesh that is cut open along its constraints (engine/mesh/sectors.hpp) and has ConstraintTags;
 // the tag kIdealTag is made if there is none. Boundary sides and their ends stay as they are, fixed inner
-// vertices too; other inner vertices move, go and come. The valence energy falls with every change but those
-// that mend faces which cannot be valid. Faces around a change are valid afterwards, exactly. Tombstones are
-// left. The same result on any number of threads.
+// vertices too; other inner vertices move, go and come. The (weighed) valence energy falls with every change
+// but those that mend faces which cannot be valid. Faces around a change are valid afterwards, exactly.
+// Tombstones are left. The same result on any number of threads.
 template <GeometryModel Model>
 LocalCleanupReport clean_up_locally(Mesh& mesh, const Model& model, const LocalCleanupOptions& options,
                                     const Progress& progress);

@@ -46,7 +46,7 @@ Verdict LocalAttempt<Model>::run(MeshEditor& editor, LocalTags tags, const Rules
   before_.gather(view, change);
   const Quality before = quality_of(mesh, before_.faces());
   save(editor);
-  place(editor);
+  place(editor, tags);
   const auto made = replacer_.replace(editor, tags.constraints, change.old, change.fresh, ids);
   count_faces(editor, tags, true);
 
@@ -73,8 +73,10 @@ void LocalAttempt<Model>::save(const MeshEditor& editor) {
 }
 
 template <GeometryModel Model>
-void LocalAttempt<Model>::place(MeshEditor& editor) {
+void LocalAttempt<Model>::place(MeshEditor& editor, LocalTags tags) {
   if (!change.placed.valid()) return;
+  if (tags.price.valid() && change.priced_as.valid())
+    editor.set(tags.price, change.placed, editor.get(tags.price, change.priced_as));
   // Relative to one of them: coordinates may be large.
   const Point origin = place_of<Point>(editor, change.mean_of[0]);
   Point sum = origin - origin;

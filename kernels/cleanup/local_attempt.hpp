@@ -70,7 +70,7 @@ class LocalAttempt {
   };
 
   void save(const MeshEditor& editor);
-  void place(MeshEditor& editor);
+  void place(MeshEditor& editor, LocalTags tags);
   void count_faces(MeshEditor& editor, LocalTags tags, bool forward);
   void find_movable(const LocalView& view);
   Verdict judge(const Mesh& mesh, const Rules& rules, const Quality& before, double around) const;

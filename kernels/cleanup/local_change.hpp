@@ -15,12 +15,15 @@ struct LocalChange {
   // A vertex that gets a new place before anything is judged, the mean of some others; or none.
   VertexId placed;
   std::vector<VertexId> mean_of;
+  // Whose price that vertex gets, if it is new.
+  VertexId priced_as;
 
   void clear() {
     old.clear();
     fresh.clear();
     placed = VertexId();
     mean_of.clear();
+    priced_as = VertexId();
   }
   // The face with one corner exchanged.
   static FaceCorners exchanged(const Mesh& mesh, FaceId f, VertexId from, VertexId to) {

@@ -13,9 +13,8 @@ Corners corners_from(const Mesh& mesh, SideId s) {
 
 int gain_of(const LocalView& view, const Corners& c) {
   const int merged = view.faces(c.gone) + view.faces(c.kept) - 2;
-  return valence_energy(view.faces(c.gone), view.ideal(c.gone)) +
-         valence_energy(view.faces(c.kept), view.ideal(c.kept)) - valence_energy(merged, view.ideal(c.kept)) +
-         view.gain(c.left, -1) + view.gain(c.right, -1);
+  return view.cost(c.gone, valence_energy(view.faces(c.gone), view.ideal(c.gone))) +
+         view.gain(c.kept, merged - view.faces(c.kept)) + view.gain(c.left, -1) + view.gain(c.right, -1);
 }
 
 // The faces around the corner that goes must make faces with the kept one in its place, and no edge that is

@@ -35,8 +35,9 @@ bool SingletOpening::find(const LocalView& view, VertexId v, std::uint32_t skip,
     const SideId far = mesh.next(mesh.next(mesh.neighbour(rung)));
     const VertexId behind = mirrored ? mesh.origin(far) : mesh.target(far);
     if (can_spare(view, near))
-      best.offer(view.gain(v, 1) + view.gain(near, -1) + view.gain(behind, 1) - valence_energy(3, 4),
-                 {way, true});
+      best.offer(
+          view.gain(v, 1) + view.gain(near, -1) + view.gain(behind, 1) - view.cost(v, valence_energy(3, 4)),
+          {way, true});
   });
   return best.take(plan);
 }
@@ -60,6 +61,7 @@ void SingletOpening::build(const LocalView& view, const Plan& plan, VertexId fre
                                mesh.target(far)};
   change.old = {rung.face(), across.face()};
   change.placed = fresh_vertex;
+  change.priced_as = hexagon[plan.strip.mirrored ? 2 : 1];  // the one that is opened
   change.mean_of.assign(hexagon, hexagon + 6);
   // b[0] is joined with its alternate corners, mirrored a[0].
   for (int i = plan.strip.mirrored ? 2 : 1, k = 0; k < 3; ++k, i += 2)

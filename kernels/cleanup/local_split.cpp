@@ -48,7 +48,7 @@ bool VertexSplit::find(const LocalView& view, VertexId v, std::uint32_t skip, Pl
       // Inside, the other part with the vertices exchanged is the same split.
       if (inside && 2 * moved == faces && 2 * first >= faces) continue;
       const int last = inside ? (first + moved) % faces : first + moved;
-      const int gain = view.gain(v, 1 - moved) - valence_energy(moved + 1, 4) +
+      const int gain = view.gain(v, 1 - moved) - view.cost(v, valence_energy(moved + 1, 4)) +
                        view.gain(fan.spokes[static_cast<std::size_t>(first)], 1) +
                        view.gain(fan.spokes[static_cast<std::size_t>(last)], 1);
       if (gain > 0) best.offer(gain, {fan.side(first), static_cast<std::uint16_t>(moved)});
@@ -64,6 +64,7 @@ void VertexSplit::build(const LocalView& view, const Plan& plan, VertexId fresh_
   const VertexId first = mesh.target(s);
   VertexId last;
   change.placed = fresh_vertex;
+  change.priced_as = v;
   // Faces not moved stay; what the new vertex is placed between are its own corners and the old vertex.
   change.mean_of.push_back(v);
   change.mean_of.push_back(first);

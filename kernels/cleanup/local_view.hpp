@@ -13,10 +13,16 @@
 
 namespace quarry {
 
+inline constexpr int kPriceUnit = 16;
+inline constexpr int kHighestPrice = 64 * kPriceUnit;  // a vertex of hundreds of faces stays within an int
+
 struct LocalTags {
   ConstraintTags constraints;
   Tag<VertexId, std::uint8_t> ideal;   // kIdealTag
   Tag<VertexId, std::uint16_t> faces;  // how many a vertex has; kept up to date by every operation
+  // What a vertex costs, in units of 1 / kPriceUnit; no such tag if all cost the same. A number of the vertex
+  // and not of its place, so that no vertex that moves undoes what a change has gained.
+  Tag<VertexId, std::uint16_t> price = {};
 };
 
 struct LocalView {
@@ -30,9 +36,13 @@ struct LocalView {
   [[nodiscard]] bool inside(VertexId v) const { return !mesh.on_boundary(v); }
   // Free and inside: may be moved and may vanish.
   [[nodiscard]] bool movable(VertexId v) const { return tags.constraints.support[v].is_free() && inside(v); }
-  // By how much the energy falls if v gets so many faces more.
+  // What so much energy costs at v.
+  [[nodiscard]] int cost(VertexId v, int energy) const {
+    return tags.price.valid() ? tags.price[v] * energy : energy;
+  }
+  // By how much the cost falls if v gets so many faces more.
   [[nodiscard]] int gain(VertexId v, int more) const {
-    return valence_energy(faces(v), ideal(v)) - valence_energy(faces(v) + more, ideal(v));
+    return cost(v, valence_energy(faces(v), ideal(v)) - valence_energy(faces(v) + more, ideal(v)));
   }
   // A face less leaves a vertex that can be valid.
   [[nodiscard]] bool can_lose(VertexId v) const { return faces(v) > (inside(v) ? 3 : 1); }

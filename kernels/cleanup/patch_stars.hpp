@@ -3,17 +3,14 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
 #include "engine/mesh/constraint.hpp"
 #include "engine/mesh/mesh.hpp"
+#include "kernels/cleanup/irregular_price.hpp"
 
 namespace quarry {
-
-// How dear an irregular vertex is at a place; 1 is the usual price, more is dearer. Positive.
-using IrregularPrice = std::function<double(Vec3)>;
 
 class PatchStars {
  public:

@@ -16,12 +16,12 @@
 #include "pipeline/cli/common_arguments.hpp"
 #include "pipeline/cli/config_file.hpp"
 #include "pipeline/cli/demands.hpp"
+#include "pipeline/cli/irregular_price.hpp"
 #include "pipeline/cli/mixed_quality.hpp"
 #include "pipeline/cli/outputs.hpp"
 #include "pipeline/cli/progress_bar.hpp"
 #include "pipeline/cli/summary_text.hpp"
 #include "pipeline/improve/improve_report.hpp"
-#include "pipeline/report/input_hash.hpp"
 #include "pipeline/section/section_report.hpp"
 
 namespace quarry::cli {
@@ -47,7 +47,9 @@ void check(ImproveArguments& arguments) {
   arguments.improve.cleanup = clean_up_level_of(arguments.cleanup);
   const double mixed_quality = mixed_quality_of(arguments.elements, arguments.mixed_quality);
   if (arguments.elements == "mixed") arguments.improve.mixed_quality = mixed_quality;
-  check_outputs({arguments.output, arguments.report, arguments.picture}, {arguments.improve.input});
+  check_irregular_price(arguments.improve.irregular_price, arguments.improve.cleanup);
+  check_outputs({arguments.output, arguments.report, arguments.picture},
+                {arguments.improve.input, price_file(arguments.improve.irregular_price)});
 }
 
 void write_mesh_file(const ImproveArguments& arguments, const ImproveResult& result,
@@ -94,7 +96,7 @@ void run(ImproveArguments& arguments) {
   const std::vector<Demand> demands = parse_demands(arguments.require);
   ProgressBar bar(!arguments.common.quiet);
   const Progress progress = bar.progress();
-  const std::string hash = hash_files({arguments.improve.input});
+  const std::string hash = hash_inputs(arguments.improve);
   ImproveResult result = improve_mesh(arguments.improve, progress);
   progress.throw_if_cancelled();
   const QualitySummary quality = summarize_quality(result.mesh);
@@ -134,6 +136,7 @@ void add_options(CLI::App& command, ImproveArguments& arguments) {
       ->check(CLI::IsMember({"same", "mixed"}).description(""));
   option("--mixed-quality", arguments.mixed_quality, "Q", shape, kMixedQualityHelp)
       ->check(CLI::Range(0.0, 1.0));
+  add_irregular_price(command, arguments.improve.irregular_price);
   option("--size", arguments.improve.size, "H", shape,
          "wanted length of an element's edge; default: sizes stay as they are");
   option(

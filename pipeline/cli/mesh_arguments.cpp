@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "engine/base/error.hpp"
+#include "pipeline/cli/irregular_price.hpp"
 #include "pipeline/cli/mixed_quality.hpp"
 #include "pipeline/cli/not_built.hpp"
 
@@ -75,6 +76,7 @@ void add_shape_options(CLI::App& command, MeshArguments& arguments) {
       "topological clean-up: small changes, and patches of up to 512 faces (full) or of any size (fewest); "
       "default full, or none with --preset paper")
       ->check(one_of({"none", "local", "full", "fewest"}));
+  add_irregular_price(command, arguments.section.irregular_price);
   command
       .add_flag("--keep-boundary", arguments.keep_boundary,
                 "the outline's own vertices are the boundary's vertices: none added, none moved; with "
@@ -206,6 +208,7 @@ void fill_section(MeshArguments& arguments) {
     throw Error(ErrorKind::kUsage, "--anneal needs quadrilaterals by --quads matching");
   fill_start(arguments);
   if (!arguments.cleanup.empty()) section.cleanup = clean_up_level_of(arguments.cleanup);
+  check_irregular_price(section.irregular_price, clean_up_level(section));
 }
 
 }  // namespace quarry::cli

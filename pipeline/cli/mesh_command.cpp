@@ -18,6 +18,7 @@
 #include "pipeline/cli/outputs.hpp"
 #include "pipeline/cli/progress_bar.hpp"
 #include "pipeline/cli/summary_text.hpp"
+#include "pipeline/section/price_source.hpp"
 #include "pipeline/section/section_report.hpp"
 
 namespace quarry::cli {
@@ -40,7 +41,8 @@ void check(MeshArguments& arguments) {
   if (!arguments.picture.empty()) check_picture_extension(arguments.picture);
   if (!arguments.section.start_file.empty()) check_mesh_extension(arguments.section.start_file);
   std::vector<std::string> inputs = arguments.section.inputs;
-  inputs.insert(inputs.end(), {arguments.section.boundary, arguments.section.start_file});
+  inputs.insert(inputs.end(), {arguments.section.boundary, arguments.section.start_file,
+                               price_file(arguments.section.irregular_price)});
   check_outputs({arguments.output, arguments.report, arguments.picture}, inputs);
 }
 

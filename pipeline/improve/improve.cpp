@@ -19,6 +19,7 @@
 #include "pipeline/improve/input_size.hpp"
 #include "pipeline/improve/tagged_lines.hpp"
 #include "pipeline/improve/untangle.hpp"
+#include "pipeline/section/price_source.hpp"
 
 namespace quarry {
 namespace {
@@ -96,7 +97,7 @@ Lengths lengths_of_edges(const Mesh& mesh) {
 class ImproveJob {
  public:
   ImproveJob(const ImproveOptions& options, const Progress& progress)
-      : options_(options), progress_(progress), clock_(progress) {}
+      : options_(options), progress_(progress), clock_(progress), prices_(options.irregular_price) {}
 
   ImproveResult run() {
     clock_.start("reading");
@@ -195,6 +196,7 @@ class ImproveJob {
     // A mesh without bad faces gets none for the sake of its valences.
     const double floor =
         std::clamp(result_.before.all.scaled_jacobian.min, options.patches.least_jacobian, kHighestFloor);
+    options.local.price = options.patches.price = prices_.price(lines_.lines);
     options.local.floor = floor;
     options.patches.least_jacobian = floor;
     options.size = size_.get();
@@ -250,6 +252,7 @@ class ImproveJob {
   const ImproveOptions& options_;
   const Progress& progress_;
   StageClock clock_;
+  PriceSource prices_;
   ImproveResult result_;
   std::vector<TaggedEdge> tagged_;
   TaggedLines lines_;

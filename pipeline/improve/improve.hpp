@@ -23,6 +23,8 @@ namespace quarry {
 struct ImproveOptions {
   std::string input;
   CleanUpLevel cleanup = CleanUpLevel::kFull;
+  // Where irregular vertices are dear to the clean-up, as pipeline/section/price_source.hpp reads it.
+  std::string irregular_price = {};
   // At the end, quads with a smaller scaled Jacobian are cut into triangles where that helps; unset: none is.
   std::optional<double> mixed_quality = {};
   // Wanted edge of the elements in input units; unset: sizes stay as they are.

@@ -3,8 +3,10 @@
 #include <cstdint>
 #include <utility>
 
+#include "pipeline/report/input_hash.hpp"
 #include "pipeline/report/low_quad_counts.hpp"
 #include "pipeline/report/region_summary.hpp"
+#include "pipeline/section/price_source.hpp"
 
 namespace quarry {
 namespace {
@@ -17,11 +19,20 @@ std::vector<ReportItem> resolved_options(const ImproveOptions& options, const Im
   std::vector<ReportItem> items = {{"cleanup", std::string(name_of(options.cleanup))},
                                    {"tolerance", result.tolerance}};
   if (options.size) items.push_back({"size", *options.size});
+  if (!options.irregular_price.empty())
+    items.push_back({"irregular-price", price_text(options.irregular_price)});
   if (options.mixed_quality) {
     items.push_back({"elements", std::string("mixed")});
     items.push_back({"mixed-quality", *options.mixed_quality});
   }
   return items;
+}
+
+std::string hash_inputs(const ImproveOptions& options) {
+  std::vector<std::string> paths = {options.input};
+  if (const std::string prices = price_file(options.irregular_price); !prices.empty())
+    paths.push_back(prices);
+  return hash_files(paths);
 }
 
 JobReport report_improvement(const ImproveOptions& options, const ImproveResult& result,

@@ -51,6 +51,8 @@ struct SectionOptions {
   bool keep_boundary = false;
   // Topological clean-up of quads; unset: full, or none with the published procedure.
   std::optional<CleanUpLevel> cleanup;
+  // Where irregular vertices are dear to the clean-up, as pipeline/section/price_source.hpp reads it.
+  std::string irregular_price;
   std::uint64_t seed = 0;
   // Told before meshing begins: about how many elements and how many bytes of memory it will take.
   std::function<void(double elements, double bytes)> on_prediction;

@@ -17,6 +17,7 @@
 #include "kernels/local/better_flips.hpp"
 #include "kernels/matching/whole_outline.hpp"
 #include "kernels/smooth/laplacian.hpp"
+#include "pipeline/section/price_source.hpp"
 #include "pipeline/section/start.hpp"
 
 namespace quarry {
@@ -112,8 +113,10 @@ void convert_to_quads(const SectionOptions& options, SectionResult& result, cons
   result.mesh = make_quads(std::move(result.mesh), result.cleaned.lines, quads, result.quads, progress);
 }
 
-void clean_up_quads(const SectionOptions& options, SectionResult& result, const Progress& progress) {
+void clean_up_quads(const SectionOptions& options, const PriceSource& prices, SectionResult& result,
+                    const Progress& progress) {
   CleanUpOptions clean_up_options;
+  clean_up_options.local.price = clean_up_options.patches.price = prices.price(result.cleaned.lines);
   clean_up_options.level = clean_up_level(options);
   const UniformSize size(result.lengths.size);
   clean_up_options.size = &size;
@@ -171,6 +174,7 @@ SectionResult clean_section(const SectionOptions& options, const Progress& progr
 SectionResult mesh_section(const SectionOptions& options, const Progress& progress) {
   SectionResult result;
   StageClock clock(progress);
+  const PriceSource prices(options.irregular_price);
   read_and_clean(options, result, clock, progress);
   tell_prediction(options, result);
   clock.start("start mesh");
@@ -188,7 +192,7 @@ SectionResult mesh_section(const SectionOptions& options, const Progress& progre
     clock.start("quads");
     convert_to_quads(options, result, progress);
     clock.start("clean-up");
-    clean_up_quads(options, result, progress);
+    clean_up_quads(options, prices, result, progress);
     if (options.elements == Elements::kMixed) cut_into_triangles(options, result);
     if (by_matching(options)) require_convex_quads(result.mesh);
   } else {

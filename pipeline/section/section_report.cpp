@@ -10,6 +10,7 @@
 #include "pipeline/report/line_distance.hpp"
 #include "pipeline/report/low_quad_counts.hpp"
 #include "pipeline/report/region_summary.hpp"
+#include "pipeline/section/price_source.hpp"
 
 namespace quarry {
 namespace {
@@ -93,6 +94,8 @@ std::vector<ReportItem> resolved_options(const SectionOptions& options, const Se
       {"seed", whole(options.seed)}};
   if (options.quads == QuadMethod::kMatching)
     items.push_back({"anneal", whole(static_cast<std::uint64_t>(options.anneal))});
+  if (!options.irregular_price.empty())
+    items.push_back({"irregular-price", price_text(options.irregular_price)});
   if (options.elements == Elements::kMixed) items.push_back({"mixed-quality", options.mixed_quality});
   return items;
 }
@@ -117,6 +120,8 @@ std::string hash_inputs(const SectionOptions& options) {
   std::vector<std::string> paths = options.inputs;
   if (boundary_text(options) == "file") paths.push_back(options.boundary);
   if (options.start == StartMesh::kFile) paths.push_back(options.start_file);
+  if (const std::string prices = price_file(options.irregular_price); !prices.empty())
+    paths.push_back(prices);
   return hash_files(paths);
 }
 

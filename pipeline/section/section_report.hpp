@@ -17,7 +17,7 @@ namespace quarry {
 [[nodiscard]] std::string option_text(const std::vector<ReportItem>& options);
 
 // The hash (pipeline/report/input_hash.hpp) of all files that the job reads: the inputs in order, then those
-// of boundary and start mesh. Throws Error(kInput).
+// of boundary, start mesh and prices. Throws Error(kInput).
 [[nodiscard]] std::string hash_inputs(const SectionOptions& options);
 
 // Everything but command, version, threads and hash, which the caller knows. quality: of result.mesh.

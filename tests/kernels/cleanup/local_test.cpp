@@ -95,6 +95,33 @@ TEST(LocalCleanupOfOneMesh, GivesTheSameBytesOnAnyNumberOfThreadsAndInReverse) {
   }
 }
 
+// Irregular vertices left of the middle of some disks, dear on one side.
+std::size_t count_left(double price_left, double price_right) {
+  constexpr Vec2 kMiddle{6700000.0, 500000.0};
+  std::size_t count = 0;
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    Mesh mesh = test::open_split_disk(2000, seed);
+    const IrregularPrice price = [&](Vec3 p) { return p.x < kMiddle.x ? price_left : price_right; };
+    reset_claim_violations();
+    (void)clean_up_locally(mesh, PlaneModel(), {.price = price}, Progress());
+    EXPECT_EQ(claim_violations().count, 0U) << claim_violations().first;
+    EXPECT_EQ(validate(mesh, GeometryCheck::kPlanarCorners), "");
+    for (const VertexId v : mesh.vertices()) {
+      if (!mesh.alive(v) || mesh.on_boundary(v) || mesh.point(v).x >= kMiddle.x) continue;
+      int faces = 0;
+      for_each_side_around(mesh, v, [&](SideId) { ++faces; });
+      count += faces != 4 ? 1 : 0;
+    }
+  }
+  return count;
+}
+
+TEST(LocalCleanupOfOneMesh, KeepsToWhatIsCheap) {
+  // Only what crosses the middle can profit; one price everywhere is as good as none.
+  EXPECT_EQ(count_left(20, 20), count_left(1, 1));
+  EXPECT_LT(count_left(20, 1), count_left(1, 20));
+}
+
 TEST(LocalCleanupOfOneMesh, CountsEveryAttempt) {
   Mesh mesh = test::open_paired_mesh({.seed = 3});
   const LocalCleanupReport report = clean_up(mesh);

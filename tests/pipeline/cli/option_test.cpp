@@ -132,6 +132,46 @@ TEST(Annealing, IsToldInTheReportAndNeedsMatching) {
   expect_usage_error({"mesh", kDemoSection, "-o", "out.vtu", "--size", "20", "--anneal", "-1"}, "--anneal");
 }
 
+TEST(IrregularPrice, IsTakenByMeshAndImprove) {
+  const TestFolder folder;
+  const std::string raster =
+      folder.write("p.asc", "ncols 1\nnrows 1\nxllcorner 0\nyllcorner 0\ncellsize 400\n9\n");
+  const auto run = [&](const std::vector<std::string>& words, const std::string& price) {
+    std::vector<std::string> arguments = words;
+    arguments.insert(arguments.end(), {"--irregular-price", price, "--report", folder / "r.json", "--quiet"});
+    const CommandResult result = run_quarry(arguments);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return options_of(folder / "r.json")["irregular-price"].get<std::string>();
+  };
+  const std::vector<std::string> mesh = {"mesh", kDemoSection, "-o", folder / "a.vtu", "--size", "20"};
+  EXPECT_EQ(run(mesh, "lines:40:5"), "lines:40:5");
+  EXPECT_EQ(run(mesh, raster), "file");
+  const std::vector<std::string> improve = {"improve", folder / "a.vtu", "-o", folder / "b.vtu"};
+  EXPECT_EQ(run(improve, "lines:40:5"), "lines:40:5");
+  EXPECT_EQ(run(improve, raster), "file");
+}
+
+TEST(IrregularPrice, IsRefusedWhereItMakesNoSense) {
+  const TestFolder folder;
+  const std::vector<std::string> mesh = {"mesh", kDemoSection, "-o", folder / "out.vtu", "--size", "20"};
+  const auto refused = [&](const std::vector<std::string>& more, const std::string& word) {
+    std::vector<std::string> arguments = mesh;
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    expect_usage_error(arguments, word);
+  };
+  refused({"--irregular-price", "lines:40"}, "lines:DISTANCE:FACTOR");
+  refused({"--irregular-price", "lines:40:5", "--cleanup", "none"}, "clean-up");
+  refused({"--irregular-price", "lines:40:5", "--elements", "tri"}, "clean-up");
+  const std::string raster =
+      folder.write("p.asc", "ncols 2\nnrows 1\nxllcorner 0\nyllcorner 0\ncellsize 400\n9 -3\n");
+  std::vector<std::string> arguments = mesh;
+  arguments.insert(arguments.end(), {"--irregular-price", raster});
+  const CommandResult result = run_quarry(arguments);
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_EQ(result.error_lines(), 1U) << result.err;
+  EXPECT_NE(result.err.find("row 1, column 2"), std::string::npos) << result.err;
+}
+
 TEST(ConfigFile, GivesWhatTheCommandLineDoesNot) {
   const TestFolder folder;
   const std::string config = folder.write("job.toml",
