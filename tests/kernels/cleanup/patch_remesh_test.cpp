@@ -220,15 +220,14 @@ TEST(RemeshPatches, KeepsTriangles) {
 // Irregular vertices left of the middle, over some disks.
 std::size_t count_left(const IrregularPrice& price) {
   std::size_t count = 0;
-  for (std::uint64_t seed = 1; seed <= 16; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     Mesh mesh = disk(1500, seed);
     PatchOptions options;
     options.price = price;
+    // Where most are still there: of the few that larger patches leave, chance decides.
+    options.largest = 16;
     PatchMemory memory;
-    for (const std::size_t largest : patch_classes(128, false, 0)) {
-      options.largest = largest;
-      remesh_patches(mesh, PlaneModel(), options, memory, Progress());
-    }
+    remesh_patches(mesh, PlaneModel(), options, memory, Progress());
     EXPECT_EQ(validate(mesh, GeometryCheck::kPlanarCorners), "");
     for (const VertexId v : mesh.vertices()) {
       if (!mesh.alive(v) || mesh.on_boundary(v) || mesh.point(v).x >= 0) continue;
