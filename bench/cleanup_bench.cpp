@@ -11,7 +11,7 @@
 #include <ctime>
 #include <nlohmann/json.hpp>
 
-#include "bench/split_domains.hpp"
+#include "bench/domains.hpp"
 #include "engine/mesh/validate.hpp"
 #include "engine/parallel/parallel.hpp"
 #include "kernels/cleanup/clean_up.hpp"
@@ -27,7 +27,7 @@ struct Settings {
   std::string domain;
   double quads = 0;
   CleanUpLevel level = CleanUpLevel::kFull;
-  std::uint64_t seed = 1;
+  DomainPoints points;
   int threads = 1;
 };
 
@@ -67,8 +67,8 @@ Json json_of(const Figures& figures) {
           {"smallest", figures.smallest}};
 }
 
-void print_run(const Settings& settings, SplitDomain domain) {
-  Mesh mesh = split_quads(domain, settings.quads, settings.seed);
+void print_run(const Settings& settings, Domain domain) {
+  Mesh mesh = split_quads(domain, settings.quads, settings.points);
   const Figures before = figures_of(mesh);
   CleanUpOptions options;
   options.level = settings.level;
@@ -80,7 +80,8 @@ void print_run(const Settings& settings, SplitDomain domain) {
   const double of_clock = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   const Json row = {{"domain", settings.domain},
                     {"level", name_of(settings.level)},
-                    {"seed", settings.seed},
+                    {"seed", settings.points.seed},
+                    {"boundary_spacing", settings.points.boundary_spacing},
                     {"threads", settings.threads},
                     {"before", json_of(before)},
                     {"after", json_of(figures_of(mesh))},
@@ -95,18 +96,21 @@ void print_run(const Settings& settings, SplitDomain domain) {
 }  // namespace quarry::bench
 
 // Arguments: disk (default), square, annulus or l-shape; about how many quads (default 50,000); the level
-// (default full); seed (default 1); threads (default 1).
+// (default full); seed (default 1); boundary spacing as a share of the triangles' (default 1); threads
+// (default 1).
 int main(int argc, char** argv) {
   using namespace quarry;
   bench::Settings settings;
   settings.domain = argc > 1 ? argv[1] : "disk";
   settings.quads = argc > 2 ? std::atof(argv[2]) : 5e4;
   if (argc > 3) settings.level = clean_up_level_of(argv[3]);
-  if (argc > 4) settings.seed = std::strtoull(argv[4], nullptr, 10);
-  if (argc > 5) settings.threads = std::atoi(argv[5]);
-  const auto domain = bench::split_domain_of(settings.domain);
+  if (argc > 4) settings.points.seed = std::strtoull(argv[4], nullptr, 10);
+  if (argc > 5) settings.points.boundary_spacing = std::atof(argv[5]);
+  if (argc > 6) settings.threads = std::atoi(argv[6]);
+  const auto domain = bench::domain_of(settings.domain);
   if (!domain || settings.quads < 10) {
-    std::fprintf(stderr, "cleanup_bench [disk|square|annulus|l-shape [QUADS [LEVEL [SEED [THREADS]]]]]\n");
+    std::fprintf(stderr,
+                 "cleanup_bench [disk|square|annulus|l-shape [QUADS [LEVEL [SEED [SPACING [THREADS]]]]]]\n");
     return 2;
   }
   parallel::with_threads(settings.threads, [&] { bench::print_run(settings, *domain); });

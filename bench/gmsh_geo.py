@@ -1,11 +1,12 @@
 #!/usr/bin/python3
 """Turns the lines that `quarry clean` wrote into gmsh's .geo, so that a peer meshes exactly the same lines.
 
-  gmsh_geo.py CLEAN.geojson OUT.geo --size H [--shape faces|backbone|embedded]
+  gmsh_geo.py CLEAN.geojson OUT.geo --size H [--shape faces|backbone|embedded] [--groups]
 
 faces      one plane surface for each enclosed face, dead ends embedded in the face that they lie in (the whole job)
 backbone   the same without dead ends and without what hangs in a face (an easier job than quarry's)
 embedded   one plane surface within the outline, every other line embedded
+--groups   lines, outline and faces become physical groups
 
 The lines must be noded, as `quarry clean` leaves them: they meet at equal coordinates only. Outline lines are those whose
 property `kind` is "outline". Needs the standard library alone.
@@ -140,9 +141,13 @@ def bridges(edges, loops, keep):
     return found
 
 
+def origin_of(points):
+    return [math.floor(min(p[i] for p in points)) for i in (0, 1)]
+
+
 def write_points_and_lines(out, points, edges, keep, size):
     """Coordinates from a rounded origin: gmsh tells points apart relative to their distance from (0, 0)."""
-    x0, y0 = (math.floor(min(p[i] for p in points)) for i in (0, 1))
+    x0, y0 = origin_of(points)
     out.write(f"If (!Exists(h))\n h = {size:.17g};\nEndIf\n"  # gmsh -setnumber h H goes before
               "Mesh.CharacteristicLengthMax = h;\nMesh.CharacteristicLengthFromPoints = 0;\n"
               "Mesh.CharacteristicLengthExtendFromBoundary = 0;\n")
@@ -165,7 +170,16 @@ def write_faces(out, faces):
         out.write(f"Line{{{','.join(str(k + 1) for k in faces.inside[i])}}} In Surface{{{i + 1}}};\n")
 
 
-def write_geo(source, target, size, shape):
+def write_groups(out, faces, keep, outline):
+    """Lines and outline as groups of their own, which other tools find in the mesh as tagged edges."""
+    for name, wanted in (("lines", False), ("outline", True)):
+        numbers = [str(k + 1) for k, kept in enumerate(keep) if kept and outline[k] == wanted]
+        if numbers:
+            out.write(f"Physical Curve(\"{name}\") = {{{','.join(numbers)}}};\n")
+    out.writelines(f"Physical Surface({i + 1}) = {{{i + 1}}};\n" for i in range(len(faces.loops)))
+
+
+def write_geo(source, target, size, shape, groups=False):
     points, edges, outline = read_graph(source)
     keep = list(outline) if shape == "embedded" else [True] * len(edges)
     without_dead_ends(points, edges, keep)
@@ -185,7 +199,10 @@ def write_geo(source, target, size, shape):
     with open(target, "w") as out:
         write_points_and_lines(out, points, edges, keep, size)
         write_faces(out, faces)
-    return {"points": len(points), "edges": len(edges), "edges_kept": sum(keep), "faces": len(faces.loops)}
+        if groups:
+            write_groups(out, faces, keep, outline)
+    return {"origin": origin_of(points), "points": len(points), "edges": len(edges), "edges_kept": sum(keep),
+            "faces": len(faces.loops)}
 
 
 def main():
@@ -194,8 +211,9 @@ def main():
     parser.add_argument("target")
     parser.add_argument("--size", type=float, required=True)
     parser.add_argument("--shape", choices=("faces", "backbone", "embedded"), default="faces")
+    parser.add_argument("--groups", action="store_true")
     a = parser.parse_args()
-    print(json.dumps(write_geo(a.source, a.target, a.size, a.shape)))
+    print(json.dumps(write_geo(a.source, a.target, a.size, a.shape, a.groups)))
 
 
 if __name__ == "__main__":

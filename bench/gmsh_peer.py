@@ -1,4 +1,6 @@
 """gmsh on the lines that `quarry clean` wrote: its ways to quadrilaterals only, each run once for counts and quality."""
+import os
+
 import gmsh_geo
 from jobs import run, say
 
@@ -67,3 +69,29 @@ def prepare_gmsh(bench, name, division, quads):
             row["quality"] = {**quality.get("quad", {}), "irregular_pct": quality["valence"]["irregular_pct"]}
         row["command"] = gmsh_command(geo, target, length, options, True)
     return rows
+
+
+def mesh_at_count(bench, clean, size, quads, way, tries=3):
+    """One of GMSH_WAYS with about as many quads as asked for: the edge length is corrected until they are within 2 %
+    -> a row with the path of the mesh and the shift to the lines' coordinates."""
+    label, shape, factor, options = way
+    geo, target = bench.path("count.geo"), bench.path("gmsh", GMSH_WAYS.index(way), f"{quads}.msh")
+    origin = gmsh_geo.write_geo(clean, geo, size, shape)["origin"]
+    row = {"way": label, "shape": shape, "options": options, "shift": origin}
+    length, nearest = (factor or 1) * size, None
+    for _ in range(tries):
+        attempt = bench.path("attempt.msh")
+        done = run(gmsh_command(geo, attempt, length, options, False), bench.folder, 300)
+        say(f"gmsh, {label}: {done.wall:.2f} s" + ("" if done.code == 0 else f", {done.why}"))
+        if done.code != 0:
+            break
+        count, triangles = gmsh_size(attempt)
+        off = abs(count / quads - 1)
+        if nearest is None or off < nearest:
+            nearest = off
+            os.replace(attempt, target)
+            row.update(quads=count, triangles=triangles, length=length / size, wall=done.wall, cpu=done.cpu, mesh=target)
+        if off < 0.02:
+            break
+        length *= (count / quads) ** 0.5
+    return row if "mesh" in row else {**row, "error": done.why}

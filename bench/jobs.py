@@ -1,4 +1,4 @@
-"""Runs whole processes and says what they took: the ground that bench/maps.py stands on.
+"""Runs whole processes and says what they took: the ground that bench/maps.py and bench/quads.py stand on.
 
 On Linux the peak memory of a process starts at what its parent held when it was started. So jobs are started by a
 shell, which is small, and what needs numpy (the checkers) runs as a process of its own.
@@ -34,13 +34,14 @@ def say(text):
     print(time.strftime("%H:%M:%S"), text, file=sys.stderr, flush=True)
 
 
-def run(command, folder, limit=1200):
-    """Runs one process to its end. User + system time and peak memory are the kernel's (wait4)."""
+def run(command, folder, limit=1200, output=os.devnull):
+    """Runs one process to its end. User + system time and peak memory are the kernel's (wait4). `output`: a file for
+    what it prints."""
     through_shell = ["/bin/sh", "-c", '"$@"; exit $?', "sh", *map(str, command)]
     log = os.path.join(folder, "stderr.txt")
-    with open(log, "wb") as errors:
+    with open(log, "wb") as errors, open(output, "wb") as printed:
         start = time.perf_counter()
-        child = subprocess.Popen(through_shell, stdout=subprocess.DEVNULL, stderr=errors, start_new_session=True)
+        child = subprocess.Popen(through_shell, stdout=printed, stderr=errors, start_new_session=True)
         while True:
             # A waiting loop instead of a blocking wait gives the limit; 2 ms of grain against seconds of work.
             pid, status, usage = os.wait4(child.pid, os.WNOHANG)
@@ -81,19 +82,14 @@ class Referee:
 
     def __init__(self, folder):
         self.folder = folder
-        self.python = next((p for p in (sys.executable, "/usr/bin/python3") if p and has_numpy(p)), None)
+        self.python = python_with_numpy()
 
     @property
     def there(self):
         return self.python is not None and os.path.exists(os.path.join(self.folder, "section.py"))
 
     def call(self, script, *arguments):
-        done = subprocess.run([self.python, os.path.join(self.folder, script), *map(str, arguments)],
-                              capture_output=True, text=True)
-        try:
-            return json.loads(done.stdout)
-        except json.JSONDecodeError:
-            return {"failed": [f"{script} ended with {done.returncode}: {done.stderr.strip()[-200:]}"]}
+        return call_checker(self.python, os.path.join(self.folder, script), *arguments)
 
     def section(self, mesh, lines, report, all_quad=True):
         options = load_json(report)["options"]
@@ -104,6 +100,19 @@ class Referee:
 
     def quality(self, mesh):
         return self.call("planar_quality.py", mesh)
+
+
+def call_checker(python, script, *arguments):
+    """What a script prints as JSON; {"failed": why} if it does not."""
+    done = subprocess.run([python, script, *map(str, arguments)], capture_output=True, text=True)
+    try:
+        return json.loads(done.stdout)
+    except json.JSONDecodeError:
+        return {"failed": [f"{os.path.basename(script)} ended with {done.returncode}: {done.stderr.strip()[-200:]}"]}
+
+
+def python_with_numpy():
+    return next((p for p in (sys.executable, "/usr/bin/python3") if p and has_numpy(p)), None)
 
 
 def has_numpy(python):

@@ -32,6 +32,23 @@ OUTLINES = {"kb11_traces": "kb11_area"}
 THREADS = (1, 2, 4, 7)
 
 
+def box_of(path):
+    """Of the lines of a GeoJSON: (x min, y min, x max, y max)."""
+    points = []
+
+    def collect(coordinates):
+        if coordinates and isinstance(coordinates[0], (int, float)):
+            points.append(coordinates)
+        else:
+            for item in coordinates:
+                collect(item)
+
+    for feature in load_json(path)["features"]:
+        collect(feature["geometry"]["coordinates"])
+    xs, ys = [p[0] for p in points], [p[1] for p in points]
+    return min(xs), min(ys), max(xs), max(ys)
+
+
 class Bench:
     def __init__(self, arguments, folder):
         self.quarry, self.folder = arguments.quarry, folder
@@ -41,26 +58,10 @@ class Bench:
         self.quick = arguments.quick
         self.sizes = (150,) if arguments.quick else (150, 300, 600)
         self.fine = 150 if arguments.quick else 600
-        self.boxes = {name: self.box(name) for name in MAPS}
+        self.boxes = {name: box_of(self.lines(name)) for name in MAPS}
 
     def lines(self, name):
         return os.path.join(self.planar, f"{name}.lines.geojson")
-
-    def box(self, name):
-        """Of the input lines: (x min, y min, x max, y max)."""
-        points = []
-
-        def collect(coordinates):
-            if coordinates and isinstance(coordinates[0], (int, float)):
-                points.append(coordinates)
-            else:
-                for item in coordinates:
-                    collect(item)
-
-        for feature in load_json(self.lines(name))["features"]:
-            collect(feature["geometry"]["coordinates"])
-        xs, ys = [p[0] for p in points], [p[1] for p in points]
-        return min(xs), min(ys), max(xs), max(ys)
 
     def size(self, name, division):
         x0, y0, x1, y1 = self.boxes[name]

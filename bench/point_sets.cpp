@@ -4,19 +4,17 @@
 #include <utility>
 #include <vector>
 
+#include "bench/domains.hpp"
 #include "engine/base/progress.hpp"
 #include "engine/base/random.hpp"
 #include "engine/mesh/compact.hpp"
 #include "engine/mesh/constraint.hpp"
 #include "engine/parallel/parallel.hpp"
-#include "kernels/initial/delaunay.hpp"
 #include "kernels/initial/triangulation.hpp"
 #include "kernels/matching/matching.hpp"
 
 namespace quarry::bench {
 namespace {
-
-constexpr double kTriangleArea = 0.4330127018922193;
 
 // One point in each cell of a grid. Those on the rim stay on the grid, so that the square is covered.
 std::vector<Vec2> draw_in_cells(double triangles) {
@@ -57,8 +55,9 @@ Mesh triangles_of_cells(double triangles, int relaxations) {
 }
 
 Mesh triangles_of_rows(double triangles, double jitter) {
-  const double width = std::sqrt(triangles * kTriangleArea);
-  return make_delaunay({{0, 0}, {width, width}}, {.spacing = 1, .jitter = jitter, .seed = 1});
+  Mesh mesh = triangulate(Domain::kSquare, triangles, {.jitter = jitter});
+  compact(mesh, EntityOrder::kHilbert);
+  return mesh;
 }
 
 Mesh make_triangles(double triangles, PointSet points) {

@@ -1,4 +1,4 @@
-#include "bench/split_domains.hpp"
+#include "bench/domains.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -18,7 +18,7 @@
 namespace quarry::bench {
 namespace {
 
-// Inner points keep this from the boundary, in units of the spacing: less would take boundary edges away.
+// Inner points keep this from the boundary, in units of its spacing: less would take boundary edges away.
 constexpr double kMargin = 0.6;
 constexpr double kInnerRadius = 1, kOuterRadius = 1.5;
 
@@ -62,51 +62,53 @@ Ring polygon(std::span<const Vec2> corners, std::size_t count) {
   return ring;
 }
 
-std::vector<Ring> rings_of(SplitDomain domain, double spacing) {
+std::vector<Ring> rings_of(Domain domain, double spacing) {
   const auto edges = [&](double whole) { return static_cast<std::size_t>(std::lround(whole / spacing)); };
   switch (domain) {
-    case SplitDomain::kDisk:
+    case Domain::kDisk:
       return {circle(1, edges(2 * std::numbers::pi))};
-    case SplitDomain::kSquare:
+    case Domain::kSquare:
       return {polygon(std::vector<Vec2>{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, edges(1))};
-    case SplitDomain::kAnnulus: {
+    case Domain::kAnnulus: {
       const std::size_t count = edges(std::numbers::pi * (kInnerRadius + kOuterRadius));
       return {circle(kInnerRadius, count), circle(kOuterRadius, count)};
     }
-    case SplitDomain::kLShape:
+    case Domain::kLShape:
       break;
   }
   return {polygon(std::vector<Vec2>{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}, edges(1))};
 }
 
-double area_of(SplitDomain domain) {
+double area_of(Domain domain) {
   switch (domain) {
-    case SplitDomain::kDisk:
+    case Domain::kDisk:
       return std::numbers::pi;
-    case SplitDomain::kSquare:
+    case Domain::kSquare:
       return 1;
-    case SplitDomain::kAnnulus:
+    case Domain::kAnnulus:
       return std::numbers::pi * (kOuterRadius * kOuterRadius - kInnerRadius * kInnerRadius);
-    case SplitDomain::kLShape:
+    case Domain::kLShape:
       break;
   }
   return 3;
 }
 
 // The boundary and shaken points of a lattice inside.
-std::vector<Vec2> spread_points(std::span<const Ring> rings, double spacing, std::uint64_t seed) {
+std::vector<Vec2> spread_points(std::span<const Ring> rings, double spacing, const DomainPoints& options) {
   std::vector<Vec2> points;
   Box2 box;
   for (const Ring& ring : rings) {
     for (const Vec2 p : ring) box.extend(p);
     points.insert(points.end(), ring.begin(), ring.end());
   }
-  for (const Vec2 p : make_spaced_points(box, {.spacing = spacing, .jitter = 0.25, .seed = seed})) {
+  const double margin = kMargin * options.boundary_spacing * spacing;
+  for (const Vec2 p :
+       make_spaced_points(box, {.spacing = spacing, .jitter = options.jitter, .seed = options.seed})) {
     if (!inside(rings, p)) continue;
     bool near = false;
     for (const Ring& ring : rings)
       for (std::size_t i = 0; i < ring.size() && !near; ++i)
-        near = distance_to_segment(p, ring[i], ring[(i + 1) % ring.size()]) < kMargin * spacing;
+        near = distance_to_segment(p, ring[i], ring[(i + 1) % ring.size()]) < margin;
     if (!near) points.push_back(p);
   }
   return points;
@@ -125,19 +127,23 @@ Mesh without_outside(const Mesh& hull, std::span<const Ring> rings) {
 
 }  // namespace
 
-std::optional<SplitDomain> split_domain_of(std::string_view name) {
-  if (name == "disk") return SplitDomain::kDisk;
-  if (name == "square") return SplitDomain::kSquare;
-  if (name == "annulus") return SplitDomain::kAnnulus;
-  if (name == "l-shape") return SplitDomain::kLShape;
+std::optional<Domain> domain_of(std::string_view name) {
+  if (name == "disk") return Domain::kDisk;
+  if (name == "square") return Domain::kSquare;
+  if (name == "annulus") return Domain::kAnnulus;
+  if (name == "l-shape") return Domain::kLShape;
   return std::nullopt;
 }
 
-Mesh split_quads(SplitDomain domain, double quads, std::uint64_t seed) {
-  // Three quads a triangle, whose area is sqrt(3) / 4 of the squared spacing.
-  const double spacing = std::sqrt(area_of(domain) * 3 / quads * 4 / std::numbers::sqrt3);
-  const std::vector<Ring> rings = rings_of(domain, spacing);
-  Mesh triangles = without_outside(delaunay_triangulation(spread_points(rings, spacing, seed)), rings);
+Mesh triangulate(Domain domain, double triangles, const DomainPoints& options) {
+  // The area of a triangle is sqrt(3) / 4 of the squared spacing.
+  const double spacing = std::sqrt(area_of(domain) / triangles * 4 / std::numbers::sqrt3);
+  const std::vector<Ring> rings = rings_of(domain, options.boundary_spacing * spacing);
+  return without_outside(delaunay_triangulation(spread_points(rings, spacing, options)), rings);
+}
+
+Mesh split_quads(Domain domain, double quads, const DomainPoints& options) {
+  Mesh triangles = triangulate(domain, quads / 3, options);
   ConstraintTags tags = ConstraintTags::add_to(triangles);
   for (const VertexId v : triangles.vertices())
     if (triangles.on_boundary(v)) tags.support[v] = Support::fixed();
