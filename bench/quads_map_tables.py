@@ -49,6 +49,8 @@ def table_shapes(rows):
     body = []
     for row in (r for r in rows if "error" not in r):
         body.append([name_of(row), "quarry", *own_shape(row)])
+        if "without" in row:
+            body.append([name_of(row), "quarry, `--cleanup none`", *peer_shape(row["without"])])
         body += [[name_of(row), f"gmsh, {peer['way']}", *peer_shape(peer)] for peer in row["gmsh"] if "error" not in peer]
     return table(header, body)
 

@@ -24,6 +24,10 @@ def beside_gmsh(jobs, label, lines, report, mesh, extra=()):
     row = {"label": label, "size": size, "counts": report["counts"], "quality": report["quality"],
            "cleanup": report["cleanup"], "times": report["times"], "agreement": jobs.agreement(mesh, report["quality"]),
            **jobs.against_lines(mesh, clean, size), "gmsh": []}
+    plain = jobs.path("plain.msh")
+    done, before = jobs.mesh(lines, plain, size, [*extra, "--cleanup", "none"])
+    if before:
+        row["without"] = {"quality": before["quality"], **jobs.against_lines(plain, clean, size)}
     for way in PAIRING if shutil.which("gmsh") else ():
         peer = mesh_at_count(jobs, clean, size, quads, way)
         if "error" not in peer:

@@ -10,7 +10,7 @@ PAGE = """# How good the quads are
 Made by `bench/quads.py` (the text at the end apart), which anyone can rerun; do not edit the tables. Every figure that
 has a wanted one beside it says whether it is met, and is rounded away from it. SJ is the scaled Jacobian of a quad, its
 smallest corner's; irregular are interior vertices with other than four edges, those on lines among them. The paper is
-[Verma & Tautges 2011](bibliography.md). [results.md](results.md) has time, memory and quality without clean-up.
+[Verma & Tautges 2011](bibliography.md). [results.md](results.md) has times, memory and quality without clean-up.
 
 Machine: {machine}.{load} Seconds of tables 1, 2 and 4 are the processor's on one thread.
 
