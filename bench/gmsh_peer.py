@@ -90,7 +90,8 @@ def mesh_at_count(bench, clean, size, quads, way, tries=3):
         if nearest is None or off < nearest:
             nearest = off
             os.replace(attempt, target)
-            row.update(quads=count, triangles=triangles, length=length / size, wall=done.wall, cpu=done.cpu, mesh=target)
+            row.update(quads=count, triangles=triangles, length=length / size, wall=done.wall, cpu=done.cpu,
+                       mesh=target)
         if off < 0.02:
             break
         length *= (count / quads) ** 0.5

@@ -39,9 +39,9 @@ class QuadJobs:
         """The lines of JSON that a benchmark prints."""
         printed = self.path(program + ".txt")
         done = run([os.path.join(self.programs, program), *map(str, arguments)], self.folder, limit, printed)
-        say(f"{program} {' '.join(map(str, arguments))}: {done.wall:.1f} s" + ("" if done.code == 0 else f", {done.why}"))
         if done.code != 0:
             raise SystemExit(f"{program}: {done.why}")
+        say(f"{program} {' '.join(map(str, arguments))}: {done.wall:.1f} s")
         with open(printed) as file:
             return [json.loads(line) for line in file]
 
@@ -90,4 +90,4 @@ class QuadJobs:
                    abs(quality["scaled_jacobian"]["mean"] - quad["scaled_jacobian"]["mean"]),
                    abs(quality["aspect"]["max"] - quad["aspect_max_over_min_edge"]["max"]),
                    # The referee rounds this one to three digits.
-                   max(0.0, abs(100 * quality["valence"]["irregular_share"] - other["valence"]["irregular_pct"]) - 5e-4))
+                   abs(round(100 * quality["valence"]["irregular_share"], 3) - other["valence"]["irregular_pct"]))

@@ -26,7 +26,7 @@ def measure_disks(jobs):
 def measure_shapes(jobs):
     rows = [jobs.rows("cleanup_bench", domain, quads, level, seed, spacing)[0]
             for domain in DOMAINS for quads in ((2000,) if jobs.quick else (2000, 5000, 20000)) for spacing in SPACINGS
-            for level in LEVELS for seed in ((1,) if jobs.quick else (1, 2, 3))]
+            for level in LEVELS for seed in ((1,) if jobs.quick or level == "full" else (1, 2, 3))]
     return {"domains": rows, "outline": measure_outline(jobs) if jobs.lines(OUTLINE) else []}
 
 

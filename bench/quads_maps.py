@@ -84,9 +84,11 @@ def measure_improve(jobs):
         if done.code != 0:
             row["error"] = done.why
             continue
+        near = ["--near", repr(1e-6 * DEMO_SIZE)]  # rounding of the coordinates
         row.update(before=jobs.quality(before), after=jobs.quality(after), seconds=done.cpu,
-                   # Within rounding of the coordinates.
-                   kept=jobs.check("kept_lines.py", after, before, "--near", repr(1e-6 * DEMO_SIZE), "--cells"))
+                   kept=jobs.check("kept_lines.py", after, before, *near, "--cells"),
+                   sides_before=jobs.check("kept_lines.py", before, before, *near),
+                   sides=jobs.check("kept_lines.py", after, before, *near))
     return rows
 
 

@@ -42,8 +42,8 @@ default, `fewest` allows patches of any size; a disk cannot have fewer than four
 ## Domains without irregular vertices
 
 The three-way split again, with matching counts on opposite sides or circles: nothing in the domain asks for an
-irregular vertex. All boundary vertices are fixed. Boundary edges are as long as the triangles', halved: then a regular mesh
-has 58 % of the quads that there are; or as long as the quads: then it has as many.
+irregular vertex. All boundary vertices are fixed. Boundary edges are as long as the triangles', halved: then a regular
+mesh has 58 % of the quads that there are; or as long as the quads: then it has as many.
 
 {domains}
 
@@ -60,10 +60,10 @@ covered by edges of the mesh, within 1 % of the size. It shares no code with qua
 
 {map_lines}
 
-Below 0.2: quads with a smaller scaled Jacobian, of which those in a sector between two lines whose own angle is sharp, with
-a sine below 0.2, cannot be better. Of the rest, some fill a sector of nearly 180 degrees alone (at flat corners; its sine
-is below 0.2, too, but two faces could share it), and some lie elsewhere (bench/poor_faces.py, which shares no code with
-quarry either). Off lines: areas of faces that touch no line, irregular vertices on none.
+Below 0.2: quads with a smaller scaled Jacobian, of which those in a sector between two lines whose own angle is sharp,
+with a sine below 0.2, cannot be better. Of the rest, some fill a sector of nearly 180 degrees alone (at flat corners;
+its sine is below 0.2, too, but two faces could share it), and some lie elsewhere (bench/poor_faces.py, which shares no
+code with quarry either). Off lines: areas of faces that touch no line, irregular vertices on none.
 
 {map_shapes}
 
@@ -88,8 +88,8 @@ quarry either). Off lines: areas of faces that touch no line, irregular vertices
 ## `quarry improve` on gmsh's quads
 
 The demo section at size 6, cleaned, with its lines and outline as physical groups; gmsh's four recombinations of the
-faces without dead ends, and the two that finish with them. Before -> after; ok where it is no worse. The tagged edges of
-gmsh's file are looked for among those of the improved one (bench/kept_lines.py).
+faces without dead ends, and the two that finish with them. Before -> after; ok where it is no worse. The tagged edges
+of gmsh's file are looked for among those of the improved one, and among the sides of its faces (bench/kept_lines.py).
 
 {improve}
 
@@ -101,8 +101,8 @@ Medians of {repeat} runs, threads in turn; what the report says of the stages.
 
 """
 
-NETWORK = """A network of 1,000 segments drawn by lot in a square of 1000 units, with lengths of a power law in two or three
-directions, four layers, and snapped to a grid of 5 units, meshed at about 25,000, 60,000 and 125,000 quads."""
+NETWORK = """A network of 1,000 segments drawn by lot in a square of 1000 units, with lengths of a power law in two or
+three directions, four layers, and snapped to a grid of 5 units, meshed at about 25,000, 60,000 and 125,000 quads."""
 
 
 def page_text(kept, missed):
