@@ -124,7 +124,12 @@ def first_line(command):
     if not shutil.which(command[0]):
         return ""
     done = subprocess.run(command, capture_output=True, text=True)
-    return (done.stdout or done.stderr).strip().splitlines()[0]
+    return next(iter((done.stdout or done.stderr).strip().splitlines()), "")
+
+
+def source_commit():
+    """The last commit that changed what is measured; "" outside a checkout."""
+    return first_line(["git", "log", "-1", "--format=%h", "--", "engine", "kernels", "surface", "io", "pipeline"])
 
 
 def machine_text():

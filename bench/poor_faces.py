@@ -53,22 +53,28 @@ def corner_figures(points, quads):
     return sine, length, np.arctan2(middle[..., 1], middle[..., 0])
 
 
-def areas_of(points, quads, touches):
+def areas(points, quads):
     p = points[quads]
-    areas = 0.5 * cross(p[:, 2] - p[:, 0], p[:, 3] - p[:, 1])
-    low, high = np.percentile(areas, [1, 99])
-    free = np.percentile(areas[~touches], [1, 99]) if (~touches).any() else (np.nan, np.nan)
+    return 0.5 * cross(p[:, 2] - p[:, 0], p[:, 3] - p[:, 1])
+
+
+def percentiles(area, touches):
+    low, high = np.percentile(area, [1, 99])
+    free = np.percentile(area[~touches], [1, 99])
     return {"p1": float(low), "p99": float(high), "ratio": float(high / low),
             "ratio_off_lines": float(free[1] / free[0]),
             "touching_pct": 100 * float(touches.mean()),
-            "smallest_touching_pct": 100 * float(touches[areas <= low].mean()),
-            "largest_touching_pct": 100 * float(touches[areas >= high].mean())}
+            "smallest_touching_pct": 100 * float(touches[area <= low].mean()),
+            "largest_touching_pct": 100 * float(touches[area >= high].mean())}
 
 
 class Mesh:
     def __init__(self, path, shift, near, lines):
         points, cells, _, self.quads = read_msh(path)
         self.points = points + np.array(shift)
+        # Some tools turn the faces of whole surfaces round.
+        self.turned = areas(self.points, self.quads) < 0
+        self.quads[self.turned] = self.quads[self.turned][:, ::-1]
         self.sine, self.length, self.inward = corner_figures(self.points, self.quads)
         self.nodes, self.angles = directions_at_nodes(read_lines(lines))
         self.tree, self.near = cKDTree(self.nodes), near
@@ -102,8 +108,8 @@ def check(arguments):
     others = [face for face in poor if face not in forced and face not in flat]
     slender = [mesh.describe(face) for face in np.flatnonzero(aspect > arguments.aspect)]
     return {"quads": len(mesh.quads), "poor": len(poor), "forced": len(forced), "flat": flat, "others": others,
-            "inverted": int((shape <= 0).sum()), "slender": slender,
-            "areas": areas_of(mesh.points, mesh.quads, mesh.touches)}
+            "inverted": int((shape <= 0).sum()), "turned": int(mesh.turned.sum()), "slender": slender,
+            "areas": percentiles(areas(mesh.points, mesh.quads), mesh.touches)}
 
 
 def main():

@@ -29,7 +29,7 @@ import os
 import tempfile
 
 import quads_page
-from jobs import load_json, machine_text, say
+from jobs import load_json, machine_text, say, source_commit
 from quads_jobs import QuadJobs
 from quads_kernels import measure_disks, measure_matching, measure_shapes
 from quads_maps import measure_improve, measure_maps, measure_network, measure_threads
@@ -76,6 +76,7 @@ def main():
                 continue
             kept[name] = measured
             kept.setdefault("load", {})[name] = busy
+            kept.setdefault("commit", {})[name] = source_commit()
             kept["repeat"] = jobs.repeat
             with open(arguments.keep, "w") as file:
                 json.dump(kept, file, indent=1)

@@ -68,9 +68,10 @@ class QuadJobs:
             raise SystemExit(f"quarry clean {lines}: {done.why}")
 
     def quality(self, mesh):
+        """The command's figures; {"failed": [why]} where it refuses the mesh."""
         printed = self.path("quality.json")
         done = run([self.quarry, "quality", mesh, "--json"], self.folder, output=printed)
-        return load_json(printed) if done.code == 0 else None
+        return load_json(printed) if done.code == 0 else {"failed": [done.why]}
 
     def check(self, script, *arguments):
         return call_checker(self.python, os.path.join(HERE, script), *arguments) if self.python else None

@@ -2,7 +2,7 @@
 from quads_tables import at_least, at_most, below, counts_of, exactly
 from tables import SHORT, failed_row, right_share, table, thousands, verdict
 
-LIST_LENGTH = 12  # faces listed one by one
+LIST_LENGTH = 6  # faces listed one by one
 
 
 def name_of(row):
@@ -60,7 +60,7 @@ def own_shape(row):
     quality, poor = row["quality"], row["poor"]
     jacobian = quality["scaled_jacobian"]
     return [at_least(jacobian["mean"], 0.97, 4), f"{jacobian['min']:.3f}", at_least(right_share(row), 75, 1),
-            checked(poor, lambda p: exactly(p["inverted"], 0)), checked(poor, lambda p: p["poor"]),
+            checked(poor, lambda p: exactly(p["inverted"] + p["turned"], 0)), checked(poor, lambda p: p["poor"]),
             checked(poor, lambda p: exactly(len(p["flat"]), 0)), checked(poor, lambda p: exactly(len(p["others"]), 0)),
             at_most(quality["aspect"]["max"], 8, 1),
             at_most(quality["face_area"]["ratio"], 6, 1),
@@ -70,6 +70,8 @@ def own_shape(row):
 
 def peer_shape(peer):
     quality, poor = peer["quality"], peer["poor"]
+    if "failed" in quality:
+        return [quality["failed"][0], *[""] * 11]
     jacobian = quality["scaled_jacobian"]
     return [f"{jacobian['mean']:.4f}", f"{jacobian['min']:.3f}", f"{right_share(peer):.1f}",
             checked(poor, lambda p: p["inverted"]), checked(poor, lambda p: p["poor"]),
@@ -84,7 +86,7 @@ def targets_irregular(rows):
     lines = []
     for row in (r for r in rows if "error" not in r):
         own = irregular(row["quality"])
-        peers = [peer for peer in row["gmsh"] if "error" not in peer]
+        peers = [peer for peer in row["gmsh"] if "error" not in peer and "failed" not in peer["quality"]]
         if peers:
             best = min(peers, key=lambda peer: irregular(peer["quality"]))
             theirs = irregular(best["quality"])

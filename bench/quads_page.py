@@ -12,7 +12,7 @@ has a wanted one beside it says whether it is met, and is rounded away from it. 
 smallest corner's; irregular are interior vertices with other than four edges, those on lines among them. The paper is
 [Verma & Tautges 2011](bibliography.md). [results.md](results.md) has times, memory and quality without clean-up.
 
-Machine: {machine}.{load} Seconds of tables 1, 2 and 4 are the processor's on one thread.
+Machine: {machine}.{load} Sources as of {commit}. Seconds of tables 1, 2 and 4 are the processor's on one thread.
 
 ## Matching alone (the paper's table 1)
 
@@ -119,7 +119,7 @@ def page_text(kept, missed):
     load = (f" It was busy with other work (load average up to {max(loads):.1f}): times are too long and uneven."
             if loads else "")
     text = PAGE.format(
-        machine=kept["machine"], load=load, repeat=kept.get("repeat", 1), network_words=NETWORK,
+        machine=kept["machine"], load=load, commit=", ".join(sorted(set(kept.get("commit", {}).values()))), repeat=kept.get("repeat", 1), network_words=NETWORK,
         times=made("matching", lambda m: kernels.table_times(m["times"]) + "\n\n" + kernels.targets_times(m)),
         steiner=made("matching", lambda m: kernels.table_steiner(m["steiner"])),
         disks=made("disks", lambda rows: kernels.table_disks(rows) + "\n\n" + kernels.targets_disks(rows)),
