@@ -93,7 +93,6 @@ class SquaringMover {
       const Vec2 offset = target - star_.place();
       if (!(squared_length(offset) > options_.tolerance * options_.tolerance * star_.shortest_squared()))
         return false;
-      if (attempt == 0) star_.weigh();
       if (!star_.keeps_faces(offset, floor_) || !(value_at(offset) < here.value) || !star_.valid_at(target))
         continue;
       mesh.set_point(v, target);

@@ -14,13 +14,20 @@ double signed_square(double area, double lengths) {
   return lengths > 0 ? area * std::abs(area) / lengths : -1.0;
 }
 
-// What the aspect of a quad adds to 1 / sine^2, see Star. Four edges s, s, 4.9s, 4.9s have r = 0.16; no four
-// edges within that ratio have less.
-double aspect_cost(const StarFace& face, double oo, double bb) {
-  constexpr double kFree = 0.16;
+// Four edges s, s, 4.9s, 4.9s have r = 0.16, see Star; no four edges within that ratio have less.
+constexpr double kFree = 0.16;
+bool has_free_aspect(const StarFace& face, double oo, double bb) {
   constexpr double kFreeRatio = 4.9;
-  const auto [shortest, longest] = std::minmax({face.far_next_squared, face.far_previous_squared, oo, bb});
-  if (kFreeRatio * kFreeRatio * shortest >= longest) return 0.0;
+  const double shortest =
+      std::min(std::min(face.far_next_squared, face.far_previous_squared), std::min(oo, bb));
+  const double longest =
+      std::max(std::max(face.far_next_squared, face.far_previous_squared), std::max(oo, bb));
+  return kFreeRatio * kFreeRatio * shortest >= longest;
+}
+
+// What the aspect of a quad adds to 1 / sine^2.
+double aspect_cost(const StarFace& face, double oo, double bb) {
+  if (has_free_aspect(face, oo, bb)) return 0.0;
   const double far_sum = face.far_next_squared + face.far_previous_squared;
   const double far_product = face.far_next_squared * face.far_previous_squared;
   const double inverses = (oo + bb) / (oo * bb) + far_sum / far_product;
@@ -43,6 +50,28 @@ double measure_triangle(const StarFace& face, Vec2 out, Vec2 back) {
   const double squares = face.far_next_squared + squared_length(out) + squared_length(back);
   const double area = cross(out, back);
   return squares > 0 ? 12 * area * std::abs(area) / (squares * squares) : -1.0;
+}
+
+// True only if the measure is above the bar (positive), by more than rounding: without the divisions of
+// measuring, which few faces need.
+bool is_clearly_above(const StarFace& face, Vec2 offset, double bar) {
+  constexpr double kRounding = 1e-12;
+  const Vec2 out = face.next - offset;
+  const Vec2 back = face.previous - offset;
+  const double oo = squared_length(out);
+  const double bb = squared_length(back);
+  const double least = (1 + kRounding) * bar;
+  const auto above = [least](double area, double lengths) {
+    return area > 0 && area * area >= least * lengths;
+  };
+  if (!face.quad) {
+    const double squares = face.far_next_squared + oo + bb;
+    return above(cross(out, back), squares * squares / 12);
+  }
+  return above(cross(out, back), oo * bb) && above(cross(out, face.far_next), oo * face.far_next_squared) &&
+         above(cross(back, face.far_previous), bb * face.far_previous_squared) &&
+         above(cross(face.far_next, face.far_previous), face.far_next_squared * face.far_previous_squared) &&
+         has_free_aspect(face, oo, bb);
 }
 
 }  // namespace
@@ -133,8 +162,12 @@ double Star::badness_at(Vec2 offset) const {
 }
 
 bool Star::keeps_faces(Vec2 offset, double bar) const {
-  for (const StarFace& face : faces())
-    if (measure(face, offset) < std::min(face.measure, bar)) return false;
+  for (const StarFace& face : faces()) {
+    if (is_clearly_above(face, offset, bar)) continue;
+    StarFace weighed = face;
+    weighed.far_corner = far_corner(face);
+    if (measure(weighed, offset) < std::min(measure(weighed, {}), bar)) return false;
+  }
   return true;
 }
 

@@ -40,7 +40,7 @@ class Star {
  public:
   // Reads the faces around v. Keeps its memory from one star to the next.
   void gather(const Mesh& mesh, VertexId v);
-  // Measures the faces as they are: needed before all functions that judge a move.
+  // Measures the faces as they are: needed before worst() and badness_at().
   void weigh();
 
   [[nodiscard]] std::span<const StarFace> faces() const { return std::span(faces_).first(count_); }
@@ -58,7 +58,7 @@ class Star {
   // the worst is now. Unlike the minimum it tells better from worse also where a face that no move can help
   // has the minimum.
   [[nodiscard]] double badness_at(Vec2 offset) const;
-  // True if no face would fall below the bar that is above it now, nor any other become worse.
+  // True if no face would fall below the bar (positive) that is above it now, nor any other become worse.
   [[nodiscard]] bool keeps_faces(Vec2 offset, double bar) const;
   // The measure of one face, without a star.
   [[nodiscard]] static double measure_of(const Mesh& mesh, FaceId f);
