@@ -48,7 +48,7 @@ struct CleanUpOptions {
   ShapeOptions between{.sweeps = 1, .content = 0.6, .content_areas = 2, .tolerance = 0.02};
   // Sweeps at the end: first the sizes become even, then the corners square, which makes sizes less even again.
   ShapeOptions shape{.sweeps = 6};
-  SquareCornersOptions square_corners{.sweeps = 20, .relaxation = 1.8};
+  SquareCornersOptions square_corners{.sweeps = 30, .relaxation = 1.8};
   OptimiseOptions optimise;
 };
 

@@ -29,7 +29,7 @@ struct PatchOptions {
   // the smaller of this and what it was.
   double least_jacobian = 0.3;
   // Nor may the longest edge of one of its faces by the shortest be more than this, or than it was before.
-  double largest_edge_ratio = 8;
+  double largest_edge_ratio = 6;
   LocalShapeOptions smoothing{.sweeps = 4};
   IrregularPrice price;  // empty: all places cost the same
   bool reverse = false;  // commit winners last to first: a test that they are independent
