@@ -1,7 +1,6 @@
 #include "kernels/cleanup/clean_up.hpp"
 
-#include <chrono>
-
+#include "engine/base/stopwatch.hpp"
 #include "engine/geometry/model.hpp"
 #include "engine/mesh/compact.hpp"
 #include "engine/mesh/sectors.hpp"
@@ -42,9 +41,9 @@ class CleanUp {
  private:
   template <class Work>
   void timed(double& seconds, const Work& work) {
-    const auto begin = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     work();
-    seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    seconds += watch.seconds();
   }
 
   void open() {

@@ -46,10 +46,12 @@ struct CleanUpOptions {
   // Sweeps over the whole mesh at the start and after each size class. Only what is far from good is moved:
   // more sweeps, or moving all, leave as many irregular vertices.
   ShapeOptions between{.sweeps = 1, .content = 0.6, .content_areas = 2, .tolerance = 0.02};
-  // Sweeps at the end: first the sizes become even, then the corners square, which makes sizes less even again.
+  // Sweeps at the end: first the sizes become even, then the corners square, which makes sizes less even
+  // again.
   ShapeOptions shape{.sweeps = 6};
   SquareCornersOptions square_corners{.sweeps = 30, .relaxation = 1.8};
-  OptimiseOptions optimise;
+  // In short steps: slender faces in wedges have little room.
+  OptimiseOptions optimise{.smallest_step = 0.003};
 };
 
 struct CleanUpReport {

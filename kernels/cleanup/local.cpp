@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cassert>
-#include <chrono>
 #include <cmath>
 
 #include "engine/base/log.hpp"
+#include "engine/base/stopwatch.hpp"
 #include "engine/parallel/parallel.hpp"
 #include "kernels/cleanup/balance.hpp"
 #include "kernels/cleanup/local_operation.hpp"
@@ -15,16 +15,6 @@ namespace {
 
 constexpr const char* kFacesTag = "faces_of_vertex";
 constexpr const char* kPriceTag = "price_of_vertex";
-
-class Stopwatch {
- public:
-  [[nodiscard]] double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 // The tags that the operators work with; the count of faces and the prices live as long as this.
 class CountedTags {

@@ -32,7 +32,8 @@ void KeySet::clear() {
   count_ = 0;
 }
 
-void PatchMemory::attach(Mesh& mesh) {
+void PatchMemory::begin_class(Mesh& mesh) {
+  courses_ = KeySet();
   signatures_ = mesh.find_tag<FaceId, std::uint64_t>(kSignatureTag);
   if (signatures_.valid()) return;
   signatures_ = mesh.add_tag<FaceId, std::uint64_t>(kSignatureTag, 0);

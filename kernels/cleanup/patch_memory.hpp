@@ -28,7 +28,7 @@ class KeySet {
     return slots_[at] == key;
   }
   void insert(std::uint64_t key);
-  void clear();
+  void clear();  // keeps its memory
 
  private:
   void place(std::uint64_t key);
@@ -37,11 +37,17 @@ class KeySet {
   std::size_t count_ = 0;
 };
 
+// What searches found out, as keys.
+struct PatchFailures {
+  std::vector<std::uint64_t> stages;   // patches without a fill that gains
+  std::vector<std::uint64_t> courses;  // patches, ways of growth and classes that lead to none
+};
+
 class PatchMemory {
  public:
-  // Gives all faces of the mesh a signature, if they have none. To be called again for the mesh that is
-  // renumbered, or has other tags.
-  void attach(Mesh& mesh);
+  // To be called at the start of each size class, for the mesh as it is numbered then. Gives all faces a
+  // signature, if they have none, and forgets the courses, which are those of one class.
+  void begin_class(Mesh& mesh);
 
   [[nodiscard]] std::uint64_t signature(FaceId f) const { return signatures_[f]; }
   // After a commit: new signatures for the faces that it made, and for those around the rim outside. key: of
@@ -49,10 +55,11 @@ class PatchMemory {
   void renew(const Mesh& mesh, std::span<const FaceId> made, std::span<const VertexId> rim,
              std::uint64_t key);
 
-  // Keys of what is known to fail.
-  [[nodiscard]] bool knows(std::uint64_t key) const { return failed_.contains(key); }
-  void learn(std::span<const std::uint64_t> keys) {
-    for (const std::uint64_t key : keys) failed_.insert(key);
+  [[nodiscard]] bool knows_stage(std::uint64_t key) const { return stages_.contains(key); }
+  [[nodiscard]] bool knows_course(std::uint64_t key) const { return courses_.contains(key); }
+  void learn(const PatchFailures& failures) {
+    for (const std::uint64_t key : failures.stages) stages_.insert(key);
+    for (const std::uint64_t key : failures.courses) courses_.insert(key);
   }
   // Patches that were judged not good enough after smoothing.
   [[nodiscard]] bool is_refused(std::uint64_t key) const { return refused_.contains(key); }
@@ -60,7 +67,7 @@ class PatchMemory {
 
  private:
   Tag<FaceId, std::uint64_t> signatures_;
-  KeySet failed_, refused_;
+  KeySet stages_, courses_, refused_;
 };
 
 }  // namespace quarry

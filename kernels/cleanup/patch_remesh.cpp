@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cassert>
-#include <chrono>
 #include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "engine/base/log.hpp"
+#include "engine/base/stopwatch.hpp"
 #include "engine/parallel/parallel.hpp"
 #include "kernels/cleanup/balance.hpp"
 #include "kernels/cleanup/patch_commit.hpp"
@@ -25,18 +25,6 @@ constexpr std::size_t kCommitChunk = 2;
 // Seeds of a wave: what they find is held until it is committed, and is as large as the class allows.
 constexpr std::size_t kLargestWave = std::size_t{1} << 15;
 constexpr std::size_t kFacesHeld = std::size_t{1} << 24;
-
-class Stopwatch {
- public:
-  // Seconds since the last call, or since it was made.
-  double lap() {
-    const auto now = std::chrono::steady_clock::now();
-    return std::chrono::duration<double>(now - std::exchange(last_, now)).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
 
 template <GeometryModel Model>
 class PatchRemesher {
@@ -132,7 +120,7 @@ void PatchRemesher<Model>::search(std::span<const std::uint32_t> seeds, std::vec
   Stopwatch watch;
   struct Part {
     PatchReport counts;
-    std::vector<std::uint64_t> learned;
+    PatchFailures learned;
   };
   std::vector<std::optional<PatchProposal>> found(seeds.size());
   const Part all = parallel::reduce_ordered(
@@ -148,7 +136,11 @@ void PatchRemesher<Model>::search(std::span<const std::uint32_t> seeds, std::vec
       },
       [](Part sum, const Part& part) {
         sum.counts.add(part.counts);
-        sum.learned.insert(sum.learned.end(), part.learned.begin(), part.learned.end());
+        const auto append = [](auto& keys, const auto& more) {
+          keys.insert(keys.end(), more.begin(), more.end());
+        };
+        append(sum.learned.stages, part.learned.stages);
+        append(sum.learned.courses, part.learned.courses);
         return sum;
       },
       std::clamp(seeds.size() / kSearchChunks, kSmallestChunk, kLargestChunk));
@@ -264,7 +256,7 @@ void PatchRemesher<Model>::count_outcomes(const PatchCommit<Model>& operation) {
 template <GeometryModel Model>
 PatchReport remesh_patches(Mesh& cut_open, const Model& model, const PatchOptions& options,
                            PatchMemory& memory, const Progress& progress) {
-  memory.attach(cut_open);
+  memory.begin_class(cut_open);
   return PatchRemesher<Model>(cut_open, model, options, memory).run(progress);
 }
 

@@ -7,9 +7,11 @@
 namespace quarry {
 
 void PatchSearch::begin_chunk() {
-  failed_here_.clear();
+  stages_here_.clear();
+  courses_here_.clear();
   found_here_.clear();
-  learned_.clear();
+  learned_.stages.clear();
+  learned_.courses.clear();
 }
 
 std::optional<PatchProposal> PatchSearch::find(VertexId seed, PatchReport& report) {
@@ -55,7 +57,7 @@ PatchSearch::Growth PatchSearch::grow(const std::vector<VertexId>& path, Directi
   report.grown_faces += growth_.faces().size();
   for (const std::uint64_t course : courses_) {
     if (outcome == Growth::kFailed)
-      learn(course);
+      learn_course(course);
     else
       found_here_.insert(course);
   }
@@ -67,7 +69,7 @@ PatchSearch::Growth PatchSearch::grow_on(Direction direction, Candidate& found, 
   while (growing && growth_.make_convex()) {
     sign_faces();
     const std::uint64_t course = course_of(direction);
-    if (knows(course)) return Growth::kFailed;
+    if (courses_here_.contains(course) || memory_->knows_course(course)) return Growth::kFailed;
     if (found_here_.contains(course)) {
       ++report.duplicates;
       return Growth::kRepeats;
@@ -83,19 +85,20 @@ PatchSearch::Growth PatchSearch::grow_on(Direction direction, Candidate& found, 
 
 bool PatchSearch::look(Direction direction, Candidate& found, PatchReport& report) {
   const std::uint64_t key = mix64(signature_);
-  const bool known = knows(key);
+  const bool known = stages_here_.contains(key) || memory_->knows_stage(key);
   // Sides are pushed by what the survey finds, also where no fill is.
   if (known && !direction.to.valid()) return false;
   PatchReport unused;
   if (!survey(known ? unused : report)) {
-    if (!known) ++report.stages;
-    learn(key);
+    if (known) return false;
+    ++report.stages;
+    learn_stage(key);
     return false;
   }
   if (known) return false;
   ++report.stages;
   if (try_fills(found, report)) return true;
-  if (!met_refused_) learn(key);
+  if (!met_refused_) learn_stage(key);
   return false;
 }
 
@@ -110,9 +113,14 @@ std::uint64_t PatchSearch::course_of(Direction direction) const {
   return mix64(signature_ ^ mix64(way) ^ mix64(~std::uint64_t{options_->largest}));
 }
 
-void PatchSearch::learn(std::uint64_t key) {
-  failed_here_.insert(key);
-  learned_.push_back(key);
+void PatchSearch::learn_stage(std::uint64_t key) {
+  stages_here_.insert(key);
+  learned_.stages.push_back(key);
+}
+
+void PatchSearch::learn_course(std::uint64_t key) {
+  courses_here_.insert(key);
+  learned_.courses.push_back(key);
 }
 
 // False if nothing can be added.

@@ -52,8 +52,8 @@ class PatchSearch {
   // The first patch around seed that gains something and was not refused. None too if another search of this
   // chunk found the same. Adds to the counts of the report.
   [[nodiscard]] std::optional<PatchProposal> find(VertexId seed, PatchReport& report);
-  // Keys of what failed in this chunk.
-  [[nodiscard]] const std::vector<std::uint64_t>& learned() const { return learned_; }
+  // What failed in this chunk.
+  [[nodiscard]] const PatchFailures& learned() const { return learned_; }
 
  private:
   struct Candidate {
@@ -86,10 +86,8 @@ class PatchSearch {
   void sign_faces();
   // Names the patch and the way in which it will go on growing.
   [[nodiscard]] std::uint64_t course_of(Direction direction) const;
-  [[nodiscard]] bool knows(std::uint64_t key) const {
-    return failed_here_.contains(key) || memory_->knows(key);
-  }
-  void learn(std::uint64_t key);
+  void learn_stage(std::uint64_t key);
+  void learn_course(std::uint64_t key);
   [[nodiscard]] bool add_ring(Direction limit);
   // Adds the one row along a side that brings in most energy for its faces; of equals the longest.
   [[nodiscard]] bool add_row();
@@ -129,8 +127,9 @@ class PatchSearch {
   PatchPartners partners_;
   PatchLayout layout_;
   StampedMap<char> seen_;
-  KeySet failed_here_, found_here_;     // in this chunk
-  std::vector<std::uint64_t> learned_;  // all of failed_here_
+  KeySet stages_here_, courses_here_;  // failed in this chunk: what learned_ holds
+  KeySet found_here_;                  // courses that led to a patch
+  PatchFailures learned_;
   std::vector<std::uint64_t> courses_;  // of the patch that grows
   std::uint64_t signature_ = 0;         // of its first signed_ faces
   std::size_t signed_ = 0;

@@ -18,12 +18,6 @@
 namespace quarry {
 namespace {
 
-Mesh disk(std::uint64_t seed) {
-  Mesh mesh = test::disk_of_quads(600, seed);
-  set_ideal_faces(mesh, PlaneModel());
-  return mesh;
-}
-
 // All counters of a patch, from its faces alone.
 void expect_counters_of(const PatchGrowth& growth, const Mesh& mesh, const PatchStars& stars) {
   std::map<VertexId, int> inside, rim_ends;
@@ -58,7 +52,7 @@ void expect_counters_of(const PatchGrowth& growth, const Mesh& mesh, const Patch
 TEST(PatchGrowth, KeepsTheCountersThatARecountFinds) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    const Mesh mesh = disk(seed);
+    const Mesh mesh = test::disk_of_quads(600, seed);
     const PatchStars stars(mesh, {});
     PatchGrowth growth;
     for (std::uint64_t round = 0; round < 20; ++round) {
@@ -76,7 +70,7 @@ TEST(PatchGrowth, KeepsTheCountersThatARecountFinds) {
 TEST(PatchGrowth, EndsConvexWithARimThatIsOneLoop) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    const Mesh mesh = disk(seed);
+    const Mesh mesh = test::disk_of_quads(600, seed);
     const PatchStars stars(mesh, {});
     PatchGrowth growth;
     PatchPartners partners;
@@ -115,7 +109,7 @@ TEST(PatchGrowth, EndsConvexWithARimThatIsOneLoop) {
 }
 
 TEST(PatchGrowth, RefusesToGrowBeyondItsLargestSizeAndOverPinnedVertices) {
-  Mesh mesh = disk(1);
+  Mesh mesh = test::disk_of_quads(600, 1);
   VertexId inside;
   for (const VertexId v : mesh.vertices())
     if (mesh.alive(v) && !mesh.on_boundary(v)) inside = v;
@@ -130,7 +124,7 @@ TEST(PatchGrowth, RefusesToGrowBeyondItsLargestSizeAndOverPinnedVertices) {
 }
 
 TEST(PatchPartners, ComeInTheOrderOfTheirDistance) {
-  const Mesh mesh = disk(3);
+  const Mesh mesh = test::disk_of_quads(600, 3);
   const PatchStars stars(mesh, {});
   PatchPartners partners;
   std::vector<VertexId> path;

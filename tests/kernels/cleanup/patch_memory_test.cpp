@@ -25,16 +25,10 @@ TEST(KeySet, HoldsWhatWasInsertedAndNothingElse) {
   for (std::uint64_t i = 0; i < 5000; ++i) EXPECT_FALSE(set.contains(mix64(i)));
 }
 
-Mesh disk(std::uint64_t seed) {
-  Mesh mesh = test::disk_of_quads(600, seed);
-  set_ideal_faces(mesh, PlaneModel());
-  return mesh;
-}
-
 TEST(PatchMemory, SignsNewFacesAndTheirNeighboursAnewAndNoOthers) {
-  Mesh mesh = disk(3);
+  Mesh mesh = test::disk_of_quads(600, 3);
   PatchMemory memory;
-  memory.attach(mesh);
+  memory.begin_class(mesh);
   std::vector<std::uint64_t> before;
   for (const FaceId f : mesh.faces()) before.push_back(memory.signature(f));
   const FaceId made(17U);
@@ -49,12 +43,12 @@ TEST(PatchMemory, SignsNewFacesAndTheirNeighboursAnewAndNoOthers) {
   }
 }
 
-TEST(PatchMemory, KeepsSignaturesWithTheirFacesFromOneCallToTheNext) {
-  Mesh mesh = disk(4);
+TEST(PatchMemory, KeepsSignaturesWithTheirFacesFromOneClassToTheNext) {
+  Mesh mesh = test::disk_of_quads(600, 4);
   PatchMemory memory;
-  memory.attach(mesh);
+  memory.begin_class(mesh);
   const std::uint64_t first = memory.signature(FaceId(5U));
-  memory.attach(mesh);
+  memory.begin_class(mesh);
   EXPECT_EQ(memory.signature(FaceId(5U)), first);
 }
 
@@ -62,13 +56,13 @@ TEST(PatchMemory, KeepsSignaturesWithTheirFacesFromOneCallToTheNext) {
 TEST(PatchSearch, FindsSomethingWithMemoryWhereverItDoesWithout) {
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    Mesh mesh = disk(seed);
+    Mesh mesh = test::disk_of_quads(600, seed);
     const PatchStars stars(mesh, {});
     PatchOptions options;
     options.largest = 64;
     PatchMemory memory, empty;
-    memory.attach(mesh);
-    empty.attach(mesh);
+    memory.begin_class(mesh);
+    empty.begin_class(mesh);
     PatchSearch learning(mesh, stars, memory, options);
     PatchSearch fresh(mesh, stars, empty, options);
     PatchReport with, without;
@@ -88,12 +82,12 @@ TEST(PatchSearch, FindsSomethingWithMemoryWhereverItDoesWithout) {
 }
 
 TEST(PatchSearch, LooksForARefusedPatchNoFurther) {
-  Mesh mesh = disk(7);
+  Mesh mesh = test::disk_of_quads(600, 7);
   const PatchStars stars(mesh, {});
   PatchOptions options;
   options.largest = 32;
   PatchMemory memory;
-  memory.attach(mesh);
+  memory.begin_class(mesh);
   PatchSearch search(mesh, stars, memory, options);
   PatchReport report;
   for (const VertexId v : mesh.vertices()) {

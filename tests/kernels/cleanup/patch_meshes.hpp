@@ -10,6 +10,7 @@
 
 #include "engine/base/random.hpp"
 #include "engine/mesh/constraint.hpp"
+#include "kernels/cleanup/ideal.hpp"
 #include "kernels/cluster/subdivide.hpp"
 #include "kernels/initial/delaunay.hpp"
 #include "kernels/initial/triangulation.hpp"
@@ -25,7 +26,8 @@ inline Mesh split_three_ways(Mesh triangles) {
   return subdivide(std::move(triangles), NodedLines(), report, Progress());
 }
 
-// Shaken points of a hexagonal lattice inside a circle, and points on it. The number of quads is about right.
+// Shaken points of a hexagonal lattice inside a circle, and points on it; the tag of ideal faces is set. The
+// number of quads is about right.
 inline Mesh disk_of_quads(std::size_t quads, std::uint64_t seed) {
   const double area = std::numbers::pi;
   const double spacing = std::sqrt(area / (static_cast<double>(quads) / 6) * 2 / std::numbers::sqrt3);
@@ -41,7 +43,9 @@ inline Mesh disk_of_quads(std::size_t quads, std::uint64_t seed) {
   lattice.seed = seed;
   for (const Vec2 p : make_spaced_points(Box2{{-1, -1}, {1, 1}}, lattice))
     if (length(p) < 1 - 0.6 * spacing) points.push_back(p);
-  return split_three_ways(delaunay_triangulation(points));
+  Mesh mesh = split_three_ways(delaunay_triangulation(points));
+  set_ideal_faces(mesh, PlaneModel());
+  return mesh;
 }
 
 }  // namespace quarry::test

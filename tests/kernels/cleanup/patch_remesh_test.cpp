@@ -26,12 +26,6 @@
 namespace quarry {
 namespace {
 
-Mesh disk(std::size_t quads, std::uint64_t seed) {
-  Mesh mesh = test::disk_of_quads(quads, seed);
-  set_ideal_faces(mesh, PlaneModel());
-  return mesh;
-}
-
 int energy_of(const Mesh& mesh) {
   const auto ideal = mesh.find_tag<VertexId, std::uint8_t>(kIdealTag);
   int energy = 0;
@@ -79,7 +73,7 @@ PatchOptions options_of(std::size_t largest) {
 TEST(RemeshPatches, LowersTheEnergyAndKeepsChargeValidityAndTheBoundary) {
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    Mesh mesh = disk(1500, seed);
+    Mesh mesh = test::disk_of_quads(1500, seed);
     const int charge = test::charge_of(mesh);
     const auto boundary = boundary_of(mesh);
     PatchMemory memory;
@@ -102,7 +96,7 @@ TEST(RemeshPatches, LowersTheEnergyAndKeepsChargeValidityAndTheBoundary) {
 }
 
 TEST(RemeshPatches, LeavesFourIrregularVerticesInASmallDisk) {
-  Mesh mesh = disk(800, 5);
+  Mesh mesh = test::disk_of_quads(800, 5);
   PatchMemory memory;
   for (const std::size_t largest : patch_classes(16, true, mesh.count_alive_faces()))
     remesh_patches(mesh, PlaneModel(), options_of(largest), memory, Progress());
@@ -133,7 +127,7 @@ TEST(RemeshPatches, FindsNothingInAGrid) {
 }
 
 TEST(RemeshPatches, NeverMovesNorRemovesAPinnedVertex) {
-  Mesh mesh = disk(1000, 7);
+  Mesh mesh = test::disk_of_quads(1000, 7);
   ConstraintTags tags = ConstraintTags::of(mesh);
   std::vector<std::pair<VertexId, Vec2>> pinned;
   for (std::uint32_t i = 0; i < mesh.vertex_slots(); i += 13) {
@@ -153,7 +147,7 @@ TEST(RemeshPatches, NeverMovesNorRemovesAPinnedVertex) {
 }
 
 TEST(RemeshPatches, KeepsTheSmallestScaledJacobianAboveTheFloor) {
-  Mesh mesh = disk(1500, 9);
+  Mesh mesh = test::disk_of_quads(1500, 9);
   PatchOptions options = options_of(64);
   options.least_jacobian = 0.5;
   double before = 1;
@@ -167,7 +161,7 @@ TEST(RemeshPatches, KeepsTheSmallestScaledJacobianAboveTheFloor) {
 }
 
 TEST(RemeshPatches, KeepsToTheGivenGrowth) {
-  Mesh mesh = disk(1500, 11);
+  Mesh mesh = test::disk_of_quads(1500, 11);
   const auto faces = static_cast<double>(mesh.count_alive_faces());
   PatchOptions options;
   options.most_growth = options.most_shrinkage = 0.02;
@@ -183,7 +177,7 @@ TEST(RemeshPatches, KeepsToTheGivenGrowth) {
 }
 
 TEST(RemeshPatches, KeepsTriangles) {
-  Mesh mesh = disk(1000, 13);
+  Mesh mesh = test::disk_of_quads(1000, 13);
   // Quads in the middle are cut in two.
   ConstraintTags tags = ConstraintTags::of(mesh);
   std::size_t cut = 0;
@@ -221,7 +215,7 @@ TEST(RemeshPatches, KeepsTriangles) {
 std::size_t count_left(const IrregularPrice& price) {
   std::size_t count = 0;
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
-    Mesh mesh = disk(1500, seed);
+    Mesh mesh = test::disk_of_quads(1500, seed);
     PatchOptions options;
     options.price = price;
     // Where most are still there: of the few that larger patches leave, chance decides.
@@ -247,7 +241,7 @@ TEST(RemeshPatches, LeavesFewerIrregularVerticesWhereTheyAreDear) {
 }
 
 std::vector<std::uint64_t> remeshed(bool reverse) {
-  Mesh mesh = disk(1200, 17);
+  Mesh mesh = test::disk_of_quads(1200, 17);
   PatchMemory memory;
   for (const std::size_t largest : patch_classes(128, false, 0)) {
     PatchOptions options = options_of(largest);
