@@ -103,11 +103,11 @@ def page_text(kept, missed):
     return text + MISSED_HEADING + "\n" + missed
 
 
-def write(path, kept):
-    """Writes the page; what stands below the last heading in an older one is kept."""
+def write(path, kept, text=page_text):
+    """Writes the page that text(kept, missed) makes; what stands below the last heading in an older one is kept."""
     missed = "\n"
     if os.path.exists(path):
         with open(path) as file:
             missed = file.read().partition(MISSED_HEADING + "\n")[2] or missed
     with open(path, "w") as file:
-        file.write(page_text(kept, missed))
+        file.write(text(kept, missed))

@@ -28,6 +28,7 @@ import json
 import os
 import tempfile
 
+import page
 import quads_page
 from jobs import load_json, machine_text, say, source_commit
 from quads_jobs import QuadJobs
@@ -83,7 +84,7 @@ def main():
     if arguments.quick:
         print(quads_page.page_text(kept, ""))
     else:
-        quads_page.write(arguments.out, kept)
+        page.write(arguments.out, kept, quads_page.page_text)
         say(f"wrote {arguments.out}")
 
 

@@ -1,6 +1,4 @@
 """docs/results-quads.md: the tables of bench/quads.py with the words around them."""
-import os
-
 import quads_map_tables as maps
 import quads_tables as kernels
 from page import MISSED_HEADING
@@ -132,13 +130,3 @@ def page_text(kept, missed):
         network=made("network", network),
         improve=made("improve", maps.table_improve), threads=made("threads", maps.table_threads))
     return text + MISSED_HEADING + "\n" + missed
-
-
-def write(path, kept):
-    """Writes the page; what stands below the last heading in an older one is kept."""
-    missed = "\n"
-    if os.path.exists(path):
-        with open(path) as file:
-            missed = file.read().partition(MISSED_HEADING + "\n")[2] or missed
-    with open(path, "w") as file:
-        file.write(page_text(kept, missed))
