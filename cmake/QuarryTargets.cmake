@@ -63,6 +63,7 @@ function(quarry_test name)
   add_executable(${name} ${ARG_SOURCES})
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/tests")
   target_link_libraries(${name} PRIVATE quarry_options ${ARG_LINKS} GTest::gtest_main)
+  target_compile_options(${name} PRIVATE ${QUARRY_TEST_FLAGS})
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 WORKING_DIRECTORY "${CMAKE_SOURCE_DIR}"
                        PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS ${ARG_LABEL})
   if(NOT TARGET tests_${ARG_LABEL})

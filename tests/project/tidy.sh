@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# tidy.sh BUILD: clang-tidy over every source of the project that BUILD/compile_commands.json names, as .clang-tidy
-# says. A source that passed is passed over until it, a header or the rules change.
+# tidy.sh BUILD: clang-tidy over every source of the project that BUILD/compile_commands.json names, alone or in a file
+# that includes several of them, as .clang-tidy says. What passed is passed over until a source of it, a header or the
+# rules change.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 build=$1
@@ -11,13 +12,16 @@ common=$( (cat .clang-tidy && find . -path './build*' -prune -o -name '*.hpp' -p
   sha256sum)
 export build passed common
 
+# The text of a source, and of the sources that it includes by their whole names.
+text_of() { cat "$1" && sed -n 's|^#include "\(/.*\.cpp\)"$|\1|p' "$1" | xargs -r cat; }
+
 check() {
   local source=$1 stamp
-  stamp=$passed/$( (printf '%s%s' "$common" "$source" && cat "$source") | sha256sum | cut -c1-40)
+  stamp=$passed/$( (printf '%s%s' "$common" "$source" && text_of "$source") | sha256sum | cut -c1-40)
   [[ ! -e $stamp ]] || return 0
   clang-tidy-16 -p "$build" --quiet "$source" 2> >(grep -v 'warnings\? generated' >&2) && touch "$stamp"
 }
-export -f check
+export -f check text_of
 
 # shellcheck disable=SC2016
 python3 -c 'import json, os, sys
