@@ -26,6 +26,8 @@ endif()
 target_compile_definitions(quarry_options INTERFACE
   $<$<BOOL:${QUARRY_CHECK_CLAIMS}>:QUARRY_CHECK_CLAIMS=1>)
 
+# QUARRY_LIGHT_FLAGS: for sources whose own speed does not matter, tests and what reads the command line. They are half of
+# what there is to compile.
 macro(quarry_parse options)
   cmake_parse_arguments(ARG "" "${options}" "SOURCES;ALONE;LINKS" ${ARGN})
   set_source_files_properties(${ARG_ALONE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
@@ -63,7 +65,7 @@ function(quarry_test name)
   add_executable(${name} ${ARG_SOURCES})
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/tests")
   target_link_libraries(${name} PRIVATE quarry_options ${ARG_LINKS} GTest::gtest_main)
-  target_compile_options(${name} PRIVATE ${QUARRY_TEST_FLAGS})
+  target_compile_options(${name} PRIVATE ${QUARRY_LIGHT_FLAGS})
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 WORKING_DIRECTORY "${CMAKE_SOURCE_DIR}"
                        PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS ${ARG_LABEL})
   if(NOT TARGET tests_${ARG_LABEL})
