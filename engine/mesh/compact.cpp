@@ -50,9 +50,7 @@ class MeshCompactor {
     result_.old_face =
         parallel::filter_indices(mesh.face_slots(), [&](std::size_t i) { return mesh.alive(FaceId(i)); });
     if (order == EntityOrder::kHilbert) {
-      const Box2 box = mesh.box();
-      sort_ids(result_.old_vertex,
-               [&](std::uint32_t i) { return hilbert_key(mesh.point(VertexId(i)), box); });
+      sort_vertices();
       new_vertex_ = inverse(result_.old_vertex, mesh.vertex_slots());
       sort_ids(result_.old_face, [&](std::uint32_t i) {
         return std::uint64_t{new_vertex_[mesh.corner(FaceId(i), 0).value()]};
@@ -73,6 +71,18 @@ class MeshCompactor {
   }
 
  private:
+  void sort_vertices() {
+    if (mesh_.planar()) {
+      const Box2 box = mesh_.box();
+      sort_ids(result_.old_vertex,
+               [&](std::uint32_t i) { return hilbert_key(mesh_.point(VertexId(i)), box); });
+    } else {
+      const Box3 box = mesh_.box3();
+      sort_ids(result_.old_vertex,
+               [&](std::uint32_t i) { return hilbert_key(mesh_.point3(VertexId(i)), box); });
+    }
+  }
+
   [[nodiscard]] SideId renumbered(SideId s) const {
     if (!s.valid()) return s;
     return {FaceId(new_face_[s.face().value()]), s.index()};

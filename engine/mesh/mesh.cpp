@@ -35,6 +35,13 @@ Box2 Mesh::box() const {
   return box;
 }
 
+Box3 Mesh::box3() const {
+  Box3 box;
+  for (const VertexId v : vertices())
+    if (alive(v)) box.extend(point3(v));
+  return box;
+}
+
 SideId Mesh::find_side(VertexId a, VertexId b) const {
   SideId found;
   const SideId first = side_of(a);

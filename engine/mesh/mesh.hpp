@@ -67,6 +67,7 @@ class Mesh {
   [[nodiscard]] const std::vector<double>& ys() const { return y_; }
   [[nodiscard]] const std::vector<double>& zs() const { return z_; }
   [[nodiscard]] Box2 box() const;
+  [[nodiscard]] Box3 box3() const;
 
   // Connectivity.
   [[nodiscard]] VertexId corner(FaceId f, int index) const {

@@ -27,10 +27,15 @@ constexpr std::array kFormats = {
     MeshFormat{".vtu", write_vtu, read_vtu}, MeshFormat{".msh", write_msh, read_msh},
     MeshFormat{".obj", write_obj, read_obj}, MeshFormat{".inp", write_inp, read_inp}};
 
-const MeshFormat& format_of(const std::string& path) {
+std::string extension_of(const std::string& path) {
   std::string extension = std::filesystem::path(path).extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+const MeshFormat& format_of(const std::string& path) {
+  const std::string extension = extension_of(path);
   std::string known;
   for (const MeshFormat& format : kFormats) {
     if (format.extension == extension) return format;
@@ -51,5 +56,11 @@ ReadCells read_cells(const std::string& path) { return format_of(path).read(path
 Mesh read_mesh(const std::string& path) { return make_mesh(path, read_cells(path)); }
 
 void check_mesh_extension(const std::string& path) { static_cast<void>(format_of(path)); }
+
+bool is_mesh_file(const std::string& path) {
+  const std::string extension = extension_of(path);
+  return std::any_of(kFormats.begin(), kFormats.end(),
+                     [&](const MeshFormat& format) { return format.extension == extension; });
+}
 
 }  // namespace quarry

@@ -25,4 +25,7 @@ void write_mesh(const std::string& path, const Mesh& mesh, const MeshWriteOption
 // Throws Error(kUsage) unless write_mesh knows the extension: for a check before a long job.
 void check_mesh_extension(const std::string& path);
 
+// True if read_mesh knows the extension.
+[[nodiscard]] bool is_mesh_file(const std::string& path);
+
 }  // namespace quarry

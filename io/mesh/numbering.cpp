@@ -20,10 +20,13 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> hidden_twins(const Mesh& me
   std::vector<VertexId> shared;
   for (const VertexId v : mesh.vertices())
     if (mesh.alive(v) && pinch[v] != 0) shared.push_back(v);
-  const auto key = [&](VertexId v) { return std::tuple(mesh.point(v).x, mesh.point(v).y, v); };
+  const auto key = [&](VertexId v) {
+    const Vec3 p = mesh.point3(v);
+    return std::tuple(p.x, p.y, p.z, v);
+  };
   std::sort(shared.begin(), shared.end(), [&](VertexId a, VertexId b) { return key(a) < key(b); });
   for (std::size_t i = 1, first = 0; i < shared.size(); ++i) {
-    if (mesh.point(shared[i]) == mesh.point(shared[first]))
+    if (mesh.point3(shared[i]) == mesh.point3(shared[first]))
       hidden.emplace_back(shared[i].value(), shared[first].value());
     else
       first = i;

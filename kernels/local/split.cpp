@@ -110,12 +110,12 @@ void claim_split_edge(const Mesh& mesh, SideId s, Cavity& cavity) {
   cavity.will_create(1, t.valid() ? 2 : 1);
 }
 
-VertexId split_edge(MeshEditor& editor, ConstraintTags tags, SideId s, Vec2 p, Support support, NewIds ids) {
+namespace {
+
+// Joins the vertex m, which is in place, to all corners of the faces at the edge.
+void split_edge_at(MeshEditor& editor, ConstraintTags tags, SideId s, VertexId m, NewIds ids) {
   const SideId t = editor.mesh().neighbour(s);
-  const VertexId m = ids.take_vertex();
   const FaceId f2 = ids.take_face();
-  editor.set_point(m, p);
-  editor.set(tags.support, m, support);
   if (!t.valid()) {
     halve_face(editor, tags, s, m, f2);
     editor.join(SideId(s.face(), 0), SideId());
@@ -128,6 +128,23 @@ VertexId split_edge(MeshEditor& editor, ConstraintTags tags, SideId s, Vec2 p, S
     editor.join(SideId(f2, 0), SideId(t.face(), 0));
   }
   editor.set_side_of(m, SideId(f2, 0));
+}
+
+}  // namespace
+
+VertexId split_edge(MeshEditor& editor, ConstraintTags tags, SideId s, Vec2 p, Support support, NewIds ids) {
+  const VertexId m = ids.take_vertex();
+  editor.set_point(m, p);
+  editor.set(tags.support, m, support);
+  split_edge_at(editor, tags, s, m, ids);
+  return m;
+}
+
+VertexId split_edge(MeshEditor& editor, ConstraintTags tags, SideId s, Vec3 p, Support support, NewIds ids) {
+  const VertexId m = ids.take_vertex();
+  editor.set_point3(m, p);
+  editor.set(tags.support, m, support);
+  split_edge_at(editor, tags, s, m, ids);
   return m;
 }
 

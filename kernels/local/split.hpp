@@ -23,6 +23,8 @@ void claim_split_edge(const Mesh& mesh, SideId s, Cavity& cavity);
 // Splits the edge a-b of s at p. The new vertex bears the given support; both halves keep the constraint bit
 // of the edge. can_split_edge must hold. Returns the new vertex.
 VertexId split_edge(MeshEditor& editor, ConstraintTags tags, SideId s, Vec2 p, Support support, NewIds ids);
+// The same in space.
+VertexId split_edge(MeshEditor& editor, ConstraintTags tags, SideId s, Vec3 p, Support support, NewIds ids);
 
 // True if p lies strictly inside the face (exact).
 [[nodiscard]] bool can_split_face(const Mesh& mesh, FaceId f, Vec2 p);

@@ -116,7 +116,7 @@ Extent measure_extent(const Mesh& mesh) {
           for (int k = 0; k < mesh.corner_count(f); ++k) {
             const SideId s(f, k);
             if (!mesh.neighbour(s).valid())
-              extent.boundary += distance(mesh.point(mesh.origin(s)), mesh.point(mesh.target(s)));
+              extent.boundary += length(mesh.point3(mesh.target(s)) - mesh.point3(mesh.origin(s)));
           }
         }
         return extent;

@@ -1,4 +1,4 @@
-// The quality of a whole planar mesh in figures: what reports print and what quality demands are held
+// The quality of a whole mesh in figures: what reports print and what quality demands are held
 // against. Each measure of a face is defined in kernels/quality/element.hpp.
 #pragma once
 

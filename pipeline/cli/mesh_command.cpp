@@ -15,6 +15,7 @@
 #include "pipeline/cli/commands.hpp"
 #include "pipeline/cli/config_file.hpp"
 #include "pipeline/cli/mesh_arguments.hpp"
+#include "pipeline/cli/mesh_surface_command.hpp"
 #include "pipeline/cli/outputs.hpp"
 #include "pipeline/cli/progress_bar.hpp"
 #include "pipeline/cli/summary_text.hpp"
@@ -86,6 +87,7 @@ bool someone_asks_for_quality(const MeshArguments& arguments) {
 }
 
 void run(MeshArguments& arguments) {
+  if (is_surface(arguments.section.inputs)) return run_mesh_surface(arguments);
   check(arguments);
   const std::vector<Demand> demands = parse_demands(arguments.require);
   ProgressBar bar(!arguments.common.quiet);

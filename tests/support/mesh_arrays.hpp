@@ -12,8 +12,8 @@ namespace quarry::test {
 inline std::vector<std::uint64_t> arrays_of(const Mesh& mesh) {
   std::vector<std::uint64_t> all;
   for (const VertexId v : mesh.vertices()) {
-    all.push_back(std::bit_cast<std::uint64_t>(mesh.point(v).x));
-    all.push_back(std::bit_cast<std::uint64_t>(mesh.point(v).y));
+    const Vec3 p = mesh.point3(v);
+    for (const double value : {p.x, p.y, p.z}) all.push_back(std::bit_cast<std::uint64_t>(value));
     all.push_back(mesh.side_of(v).value());
   }
   for (const FaceId f : mesh.faces()) {

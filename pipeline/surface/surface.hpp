@@ -1,0 +1,56 @@
+// The surface job: reads a triangulated surface, repairs it, finds its features and meshes it anew with
+// triangles of a wanted size that lie on it. Nothing is written here.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/base/progress.hpp"
+#include "engine/mesh/mesh.hpp"
+#include "io/mesh/mesh_file.hpp"
+#include "pipeline/section/options.hpp"
+#include "pipeline/section/stages.hpp"
+#include "surface/feature/options.hpp"
+#include "surface/remesh/options.hpp"
+#include "surface/repair/repair.hpp"
+
+namespace quarry {
+
+struct SurfaceOptions {
+  std::vector<std::string> inputs;
+  // Wanted edge of the final elements in input units; or about how many elements. Exactly one is given.
+  std::optional<double> size;
+  std::optional<double> count;
+  double max_elements = 2e8;
+  Elements elements = Elements::kTriangle;
+  RepairOptions repair;
+  FeatureOptions features;  // its size is set by the job
+};
+
+struct FeatureCounts {
+  double sharp_degrees = 0;  // as used; 180: no edge is sharp
+  std::uint64_t nodes = 0, curves = 0;
+  std::uint64_t sharp_edges = 0, border_edges = 0, rim_edges = 0, join_edges = 0;  // of the input
+};
+
+struct SurfaceResult {
+  // Faces with the tag "region": the group of the input's triangles; edge entities on features with the tags
+  // "constraint" (number of the curve) and "kind". Vertices where sheets meet are there once for each sheet,
+  // marked as in engine/mesh/pinch.hpp: one point in a file. Compact, in Hilbert order.
+  Mesh mesh;
+  GroupNames names;  // of the groups of the input
+  TriangleSurface repaired;
+  RepairReport repair;
+  FeatureCounts features;
+  double size = 0;  // as used
+  RemeshReport remesh;
+  std::vector<std::string> notes;  // one line each: what the user should know
+  std::vector<StageTime> times;
+};
+
+// Throws Error: see the kinds in engine/base/error.hpp and docs/contract.md.
+[[nodiscard]] SurfaceResult mesh_surface(const SurfaceOptions& options, const Progress& progress);
+
+}  // namespace quarry

@@ -1,0 +1,77 @@
+#include "pipeline/surface/surface_report.hpp"
+
+#include <array>
+#include <cstdint>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "pipeline/report/region_summary.hpp"
+
+namespace quarry {
+namespace {
+
+std::int64_t whole(std::uint64_t count) { return static_cast<std::int64_t>(count); }
+
+struct RepairLine {
+  const char* name;    // in the report
+  const char* action;  // as people read it
+  const RepairCount& count;
+};
+
+std::array<RepairLine, 9> repair_lines(const RepairReport& repair) {
+  return {{{"welded_points", "points that went into another", repair.welded},
+           {"unused_points", "points without a triangle left out", repair.unused},
+           {"degenerate_triangles", "triangles of fewer than three points left out", repair.degenerate},
+           {"duplicate_triangles", "triangles that were there twice left out", repair.duplicate},
+           {"turned_triangles", "triangles turned to face as their neighbours do", repair.turned},
+           {"filled_holes", "holes filled", repair.filled_holes},
+           {"flat_triangles", "triangles without area kept", repair.flat},
+           {"branch_edges", "edges of three triangles or more kept: the sheets meet there", repair.branches},
+           {"seam_edges", "edges along which the one-sided surface is cut", repair.seams}}};
+}
+
+std::string places_of(const RepairCount& count) {
+  std::string text;
+  for (const Vec3 p : count.places) text += fmt::format(" ({:.9g}, {:.9g}, {:.9g})", p.x, p.y, p.z);
+  return count.count > count.places.size() ? text + " ..." : text;
+}
+
+}  // namespace
+
+std::vector<ReportItem> resolved_options(const SurfaceOptions& options, const SurfaceResult& result) {
+  return {{"size", result.size},
+          {"elements", std::string("tri")},
+          {"sharp", result.features.sharp_degrees},
+          {"weld", options.repair.weld},
+          {"fill-holes", std::int64_t{options.repair.fill_holes}}};
+}
+
+JobReport report_surface(const SurfaceOptions& options, const SurfaceResult& result, QualitySummary quality) {
+  JobReport report;
+  report.options = resolved_options(options, result);
+  report.input_files = options.inputs;
+  report.outline = "rims of the surface";
+  report.regions = summarize_regions(result.mesh);
+  const FeatureCounts& f = result.features;
+  const RemeshReport& r = result.remesh;
+  report.counts = {{"vertices", whole(quality.vertices)},       {"triangles", whole(quality.triangles.faces)},
+                   {"quads", whole(quality.quads.faces)},       {"line_edges", whole(quality.edges)},
+                   {"feature_nodes", whole(f.nodes)},           {"feature_curves", whole(f.curves)},
+                   {"sharp_input_edges", whole(f.sharp_edges)}, {"border_input_edges", whole(f.border_edges)},
+                   {"rim_input_edges", whole(f.rim_edges)},     {"join_input_edges", whole(f.join_edges)},
+                   {"holes", whole(result.repair.holes)},       {"splits", whole(r.splits)},
+                   {"collapses", whole(r.collapses)},           {"flips", whole(r.flips)}};
+  report.notes = result.notes;
+  for (const RepairLine& line : repair_lines(result.repair)) {
+    report.counts.push_back({line.name, whole(line.count.count)});
+    if (line.count.count > 0)
+      report.notes.push_back(
+          fmt::format("{} {}, at{}", line.count.count, line.action, places_of(line.count)));
+  }
+  report.quality = std::move(quality);
+  for (const StageTime& stage : result.times) report.times.emplace_back(stage.name, stage.seconds);
+  return report;
+}
+
+}  // namespace quarry

@@ -1,0 +1,134 @@
+#include "surface/feature/curve_network.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "surface/feature/corners.hpp"
+
+namespace quarry {
+namespace {
+
+class CurveBuilder {
+ public:
+  CurveBuilder(const TriangleSurface& surface, std::span<const FeatureEdge> features,
+               const FeatureOptions& options)
+      : surface_(surface),
+        features_(features),
+        options_(options),
+        begin_(surface.points.size() + 1, 0),
+        node_(surface.points.size(), 0),
+        seen_(features.size(), 0) {
+    for (const FeatureEdge& feature : features)
+      for (const std::uint32_t p : feature.ends) ++begin_[p + 1];
+    std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+    at_.resize(2 * features.size());
+    std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
+    for (std::uint32_t e = 0; e < features.size(); ++e)
+      for (const std::uint32_t p : features[e].ends) at_[next[p]++] = e;
+  }
+
+  CurveNetwork run() {
+    find_junctions();
+    // Chains between junctions first: corners are looked for along them.
+    std::vector<std::uint32_t> corners;
+    for (const Chain& chain : chains()) {
+      const ChainEnds ends = node_[chain.points.front()] != 0 ? ChainEnds::kNodes : ChainEnds::kClosed;
+      for (const std::uint32_t corner : find_corners(points_of(chain.points), ends, options_))
+        corners.push_back(chain.points[corner]);
+    }
+    for (const std::uint32_t corner : corners) node_[corner] = 1;
+    CurveNetwork network;
+    for (std::uint32_t p = 0; p < node_.size(); ++p)
+      if (node_[p] != 0) network.nodes.push_back(p);
+    for (Chain& chain : chains()) {
+      Polyline3 course(points_of(chain.points));
+      network.curves.push_back({std::move(chain.points), chain.kind, std::move(course)});
+    }
+    return network;
+  }
+
+ private:
+  struct Chain {
+    std::vector<std::uint32_t> points;
+    FeatureKind kind;
+  };
+
+  [[nodiscard]] std::span<const std::uint32_t> around(std::uint32_t p) const {
+    return std::span(at_).subspan(begin_[p], begin_[p + 1] - begin_[p]);
+  }
+  [[nodiscard]] std::vector<Vec3> points_of(std::span<const std::uint32_t> chain) const {
+    std::vector<Vec3> points;
+    for (const std::uint32_t p : chain) points.push_back(surface_.points[p]);
+    return points;
+  }
+
+  void find_junctions() {
+    for (std::uint32_t p = 0; p < node_.size(); ++p) {
+      const auto edges = around(p);
+      if (edges.empty()) continue;
+      node_[p] = edges.size() != 2 || features_[edges[0]].kind != features_[edges[1]].kind ? 1 : 0;
+    }
+  }
+
+  // All edges in chains that end at nodes; then those of closed courses without a node, from their smallest
+  // point on.
+  std::vector<Chain> chains() {
+    std::fill(seen_.begin(), seen_.end(), 0);
+    std::vector<Chain> result;
+    for (const bool closed : {false, true})
+      for (std::uint32_t p = 0; p < node_.size(); ++p)
+        if (closed || node_[p] != 0)
+          for (const std::uint32_t e : around(p))
+            if (seen_[e] == 0) result.push_back(follow(p, e));
+    return result;
+  }
+
+  Chain follow(std::uint32_t from, std::uint32_t edge) {
+    Chain chain{{from}, features_[edge].kind};
+    std::uint32_t at = from;
+    for (;;) {
+      seen_[edge] = 1;
+      const auto& ends = features_[edge].ends;
+      at = ends[0] == at ? ends[1] : ends[0];
+      chain.points.push_back(at);
+      if (node_[at] != 0 || at == from) return chain;
+      const auto edges = around(at);
+      edge = edges[0] == edge ? edges[1] : edges[0];
+    }
+  }
+
+  const TriangleSurface& surface_;
+  std::span<const FeatureEdge> features_;
+  const FeatureOptions& options_;
+  std::vector<std::uint32_t> begin_, at_;  // the features at each point
+  std::vector<std::uint8_t> node_, seen_;
+};
+
+}  // namespace
+
+PieceId CurveNetwork::under_edge(Support a, Support b, Vec3 middle) const {
+  if (a.slides()) return a.piece();
+  if (b.slides()) return b.piece();
+  if (!a.is_node() || !b.is_node()) return {};
+  const std::uint32_t from = nodes[a.node()];
+  const std::uint32_t to = nodes[b.node()];
+  PieceId best;
+  double least = 0;
+  for (const PieceId id : IdRange<PieceId>(curves.size())) {
+    const std::vector<std::uint32_t>& points = curves[id].points;
+    if (std::minmax(points.front(), points.back()) != std::minmax(from, to)) continue;
+    const Vec3 d = project(id, middle) - middle;
+    if (best.valid() && !(dot(d, d) < least)) continue;
+    best = id;
+    least = dot(d, d);
+  }
+  return best;
+}
+
+CurveNetwork make_curve_network(const TriangleSurface& surface, std::span<const FeatureEdge> features,
+                                const FeatureOptions& options) {
+  return CurveBuilder(surface, features, options).run();
+}
+
+}  // namespace quarry

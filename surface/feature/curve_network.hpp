@@ -1,0 +1,42 @@
+// The features of a surface as curves between nodes: what vertices of a mesh of the surface are bound to.
+// Nodes keep their bits; what lies on a curve slides along its polyline.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/base/id.hpp"
+#include "engine/geometry/line_set.hpp"
+#include "engine/mesh/constraint.hpp"
+#include "surface/feature/feature_edges.hpp"
+#include "surface/feature/polyline3.hpp"
+
+namespace quarry {
+
+struct FeatureCurve {
+  std::vector<std::uint32_t> points;  // of the surface; a closed curve ends where it begins
+  FeatureKind kind;
+  Polyline3 course;
+};
+
+struct CurveNetwork {
+  IdVector<NodeId, std::uint32_t> nodes;  // points of the surface, ascending
+  IdVector<PieceId, FeatureCurve> curves;
+
+  // The point of the curve nearest to p.
+  [[nodiscard]] Vec3 project(PieceId curve, Vec3 p) const { return curves[curve].course.nearest(p); }
+  // The curve under a constrained edge whose ends have these supports and whose middle lies there. Between
+  // two nodes: of the curves that join them the one that comes nearest to the middle. None where an end is
+  // fixed to a place of its own.
+  [[nodiscard]] PieceId under_edge(Support a, Support b, Vec3 middle) const;
+};
+
+// Nodes are the points at which other than two features meet, or two of different kinds, and the corners of
+// chains: places where a chain turns by the stated angle over the stated length, strongest first and none
+// within that length of another node. A closed curve may have no node.
+[[nodiscard]] CurveNetwork make_curve_network(const TriangleSurface& surface,
+                                              std::span<const FeatureEdge> features,
+                                              const FeatureOptions& options);
+
+}  // namespace quarry

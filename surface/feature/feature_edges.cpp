@@ -1,0 +1,67 @@
+#include "surface/feature/feature_edges.hpp"
+
+#include <algorithm>
+#include <numbers>
+#include <utility>
+
+#include "surface/feature/sharp_chains.hpp"
+#include "surface/feature/sharpness.hpp"
+
+namespace quarry {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+SheetJoin ends_of(const TriangleSurface& surface, const SurfaceEdges& edges, std::size_t edge) {
+  const auto [a, b] = SurfaceEdges::ends(surface, edges.sides(edge)[0]);
+  return {std::min(a, b), std::max(a, b)};
+}
+
+// How much the surface turns beside an edge of two triangles.
+double turn_beside(const SurfaceEdges& edges, const std::vector<double>& angles, std::size_t edge) {
+  double turn = 0;
+  for (const std::uint32_t side : edges.sides(edge)) {
+    const std::uint32_t first = side - side % 3;
+    const double one = angles[edges.of_side(first + (side - first + 1) % 3)];
+    const double other = angles[edges.of_side(first + (side - first + 2) % 3)];
+    turn = std::max(turn, std::min(one, other));
+  }
+  return turn;
+}
+
+}  // namespace
+
+FeatureEdges find_feature_edges(const RepairedSurface& repaired, const FeatureOptions& options) {
+  const TriangleSurface& surface = repaired.surface;
+  const SurfaceEdges edges(surface);
+  const std::vector<double> angles = dihedral_angles(surface, edges);
+  const double sharp_degrees = options.sharp_degrees.value_or(find_sharpness(surface, edges, angles));
+  const double sharp = sharp_degrees * kDegree;
+  std::vector<SharpEdge> nearly_sharp;
+  std::vector<FeatureEdge> features;
+  for (std::size_t e = 0; e < edges.count(); ++e) {
+    const SheetJoin ends = ends_of(surface, edges, e);
+    const auto sides = edges.sides(e);
+    if (sides.size() == 1) {
+      features.push_back({ends, FeatureKind::kRim});
+    } else if (std::binary_search(repaired.joins.begin(), repaired.joins.end(), ends)) {
+      features.push_back({ends, FeatureKind::kJoin});
+    } else if (options.group_borders && surface.groups[sides[0] / 3] != surface.groups[sides[1] / 3]) {
+      features.push_back({ends, FeatureKind::kBorder});
+    } else if (angles[e] >= options.weakest_share * sharp) {
+      nearly_sharp.push_back(
+          {ends, angles[e] >= sharp && angles[e] >= options.contrast * turn_beside(edges, angles, e)});
+    }
+  }
+  std::vector<std::uint8_t> bound(surface.points.size(), 0);
+  for (const FeatureEdge& feature : features)
+    for (const std::uint32_t p : feature.ends) bound[p] = 1;
+  for (const SharpEdge& edge : keep_long_chains(surface.points, std::move(nearly_sharp), bound,
+                                                options.shortest_chain * options.size))
+    features.push_back({edge.ends, FeatureKind::kSharp});
+  std::sort(features.begin(), features.end(),
+            [](const FeatureEdge& a, const FeatureEdge& b) { return a.ends < b.ends; });
+  return {std::move(features), sharp_degrees};
+}
+
+}  // namespace quarry

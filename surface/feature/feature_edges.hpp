@@ -1,0 +1,37 @@
+// The edges of a surface that a mesh of it must keep.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "surface/feature/options.hpp"
+#include "surface/repair/repair.hpp"
+#include "surface/repair/surface_edges.hpp"
+
+namespace quarry {
+
+enum class FeatureKind : std::uint8_t {
+  kSharp,   // the surface turns
+  kBorder,  // between two groups
+  kRim,     // one triangle
+  kJoin,    // a branch or a seam: sheets end here and meet
+};
+
+struct FeatureEdge {
+  std::array<std::uint32_t, 2> ends;  // points, ascending
+  FeatureKind kind;
+
+  friend bool operator==(const FeatureEdge&, const FeatureEdge&) = default;
+};
+
+// All features, ascending by their ends. Of several kinds an edge has the last in the order of FeatureKind.
+// Sharp edges are found with hysteresis: a chain begins at an edge that is sharp and goes on along edges that
+// are nearly so; what stays short, or hangs loose by a short end, is left out.
+struct FeatureEdges {
+  std::vector<FeatureEdge> edges;
+  double sharp_degrees = 0;  // as used
+};
+[[nodiscard]] FeatureEdges find_feature_edges(const RepairedSurface& repaired, const FeatureOptions& options);
+
+}  // namespace quarry

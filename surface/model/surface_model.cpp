@@ -1,0 +1,48 @@
+#include "surface/model/surface_model.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace quarry {
+namespace {
+
+// The cosine of 80 degrees: a wall's other side turns by 180.
+constexpr double kSameSide = 0.17;
+
+TriangleTree tree_of(const Mesh& mesh) {
+  std::vector<Vec3> points;
+  points.reserve(mesh.vertex_slots());
+  for (const VertexId v : mesh.vertices()) points.push_back(mesh.point3(v));
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  triangles.reserve(mesh.face_slots());
+  for (const FaceId f : mesh.faces())
+    triangles.push_back({mesh.corner(f, 0).value(), mesh.corner(f, 1).value(), mesh.corner(f, 2).value()});
+  return TriangleTree(points, triangles);
+}
+
+}  // namespace
+
+SurfaceModel::SurfaceModel(const Mesh& triangles, const ConstraintTags& tags)
+    : tree_(tree_of(triangles)), normals_(corner_normals(triangles, tags)) {}
+
+SurfaceModel::Foot SurfaceModel::foot(const Vec3& p) const { return foot_of(tree_.closest(p)); }
+
+SurfaceModel::Foot SurfaceModel::foot(const Vec3& p, const Vec3& towards, TriangleId near) const {
+  ClosestQuery query;
+  query.start = near;
+  query.normal = towards;
+  query.least_cosine = kSameSide;
+  const SurfacePoint nearest = tree_.closest(p, query);
+  return nearest.triangle.valid() ? foot_of(nearest) : foot(p);
+}
+
+SurfaceModel::Foot SurfaceModel::foot_of(const SurfacePoint& nearest) const {
+  const CornerNormals& normals = normals_[nearest.triangle.value()];
+  const CornerWeights& w = nearest.weights;
+  const Vec3 sum = w[0] * normals[0] + w[1] * normals[1] + w[2] * normals[2];
+  const double size = length(sum);
+  return {nearest.position, size > 0 ? (1 / size) * sum : normals[0], nearest.triangle};
+}
+
+}  // namespace quarry

@@ -1,0 +1,31 @@
+// Options and report of surface remeshing.
+#pragma once
+
+#include <cstdint>
+
+namespace quarry {
+
+struct RemeshOptions {
+  // The wanted edge, in input units: a triangle is to have the area of an equilateral one of that edge.
+  double edge = 1;
+  // Rounds of splits, collapses, flips and moves.
+  int rounds = 8;
+  // An edge is split if it is longer than this many wanted edges, and collapsed if shorter than that many, if
+  // nothing longer than the first comes of it (Botsch & Kobbelt, A remeshing approach to multiresolution
+  // modeling, SGP 2004).
+  double longest = 4.0 / 3, shortest = 4.0 / 5;
+  // No triangle may turn farther than this from the normals of the surface at its corners, nor from the
+  // triangles whose place it takes: the cosine.
+  double least_turn_cosine = 0.5;
+  // Collapses along features may not leave them by more than this share of the wanted edge.
+  double feature_deviation = 0.1;
+  // Moves may not lower the measure of a star's worst triangle where it is below this.
+  double content = 0.6;
+};
+
+struct RemeshReport {
+  std::uint64_t splits = 0, collapses = 0, flips = 0, moves = 0;
+  std::uint64_t rounds = 0;
+};
+
+}  // namespace quarry

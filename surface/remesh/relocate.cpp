@@ -1,0 +1,132 @@
+#include "surface/remesh/relocate.hpp"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace quarry {
+namespace {
+
+// A vertex that would move by less than this share of the wanted edge stays.
+constexpr double kSmallestMove = 0.02;
+// How far the nearest point of the surface may lie from a target, in lengths of the step.
+constexpr double kSheetJump = 1.5;
+
+class RelocateMover {
+ public:
+  explicit RelocateMover(const RemeshState& state) : state_(&state), guard_(state.guard()) {}
+
+  [[nodiscard]] bool may_move(VertexId v) const {
+    const Support support = state_->tags.support[v];
+    return state_->mesh.alive(v) && !support.is_fixed();
+  }
+  void first_look(const Mesh& mesh, WakeList& list) const {
+    parallel::for_each(mesh.vertex_slots(), [&](std::size_t i) { list.wake(VertexId(i)); });
+  }
+
+  bool move(Mesh& mesh, VertexId v) {
+    gather(mesh, v);
+    const Support support = state_->tags.support[v];
+    return support.is_free() ? move_free(mesh, v) : move_along(mesh, v, support.piece());
+  }
+
+ private:
+  struct Corner {
+    std::array<VertexId, 3> ids;  // the vertex first
+    std::array<Vec3, 3> points;
+  };
+
+  void gather(const Mesh& mesh, VertexId v) {
+    star_.clear();
+    for_each_side_around(mesh, v, [&](SideId s) {
+      const std::array ids{v, mesh.target(s), mesh.origin(mesh.previous(s))};
+      star_.push_back({ids, state_->points(ids)});
+    });
+    place_ = mesh.point3(v);
+    worst_ = worst_at(place_);
+  }
+
+  [[nodiscard]] double worst_at(Vec3 p) const {
+    double worst = 1;
+    for (const Corner& c : star_) worst = std::min(worst, lo_measure(p, c.points[1], c.points[2]));
+    return worst;
+  }
+
+  // A target that may be taken, judged with the normal that the vertex would have there.
+  [[nodiscard]] bool fits(Vec3 target, Vec3 normal) const {
+    const double worst = worst_at(target);
+    if (worst < state_->options.content && worst < worst_) return false;
+    for (const Corner& c : star_) {
+      const Vec3 n = unit_normal(target, c.points[1], c.points[2]);
+      const Vec3 before = unit_normal(place_, c.points[1], c.points[2]);
+      if (n == Vec3() || !guard_.agrees(n, normal) || !guard_.agrees(n, before)) return false;
+      if (!guard_.agrees(n, state_->normals[c.ids[1]]) || !guard_.agrees(n, state_->normals[c.ids[2]]))
+        return false;
+    }
+    return true;
+  }
+
+  [[nodiscard]] bool is_small(Vec3 step) const {
+    return !(length(step) > kSmallestMove * state_->options.edge);
+  }
+
+  bool move_free(Mesh& mesh, VertexId v) {
+    Vec3 sum;
+    double weight = 0;
+    for (const Corner& c : star_) {
+      const Vec3 out = c.points[1] - place_;
+      const Vec3 back = c.points[2] - place_;
+      const double area = length(cross(out, back));
+      sum = sum + (area / 3) * (out + back);
+      weight += area;
+    }
+    if (!(weight > 0)) return false;
+    Vec3 step = (1 / weight) * sum;
+    const Vec3 normal = state_->normals[v];
+    step = step - dot(step, normal) * normal;
+    for (int attempt = 0; attempt < 2 && !is_small(step); ++attempt, step = 0.5 * step) {
+      const SurfaceModel::Foot foot = state_->model.foot(place_ + step, normal);
+      if (length(foot.point - (place_ + step)) > kSheetJump * length(step)) continue;
+      if (!fits(foot.point, foot.normal)) continue;
+      put(mesh, v, foot.point, foot.normal);
+      return true;
+    }
+    return false;
+  }
+
+  bool move_along(Mesh& mesh, VertexId v, PieceId curve) {
+    std::vector<Vec3> ends;
+    for_each_side_around(mesh, v, [&](SideId s) {
+      if (state_->tags.constrained(s)) ends.push_back(mesh.point3(mesh.target(s)));
+      // On a rim the last side comes in from a neighbour and has no twin that goes out.
+      const SideId in = mesh.previous(s);
+      if (!mesh.neighbour(in).valid()) ends.push_back(mesh.point3(mesh.origin(in)));
+    });
+    if (ends.size() != 2) return false;
+    const Vec3 target = state_->network.project(curve, 0.5 * (ends[0] + ends[1]));
+    if (is_small(target - place_) || !fits(target, Vec3())) return false;
+    put(mesh, v, target, Vec3());
+    return true;
+  }
+
+  void put(Mesh& mesh, VertexId v, Vec3 place, Vec3 normal) const {
+    mesh.set_point3(v, place);
+    auto normals = state_->normals;
+    normals[v] = normal;
+  }
+
+  const RemeshState* state_;
+  TriangleGuard guard_;
+  std::vector<Corner> star_;
+  Vec3 place_;
+  double worst_ = 0;
+};
+
+}  // namespace
+
+SweepReport relocate_vertices(RemeshState& state, int sweeps, const Progress& progress) {
+  VertexColouring colouring(state.mesh);
+  return run_sweeps(state.mesh, colouring, RelocateMover(state), sweeps, progress);
+}
+
+}  // namespace quarry

@@ -1,0 +1,96 @@
+#include "surface/remesh/remesh.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/mesh/compact.hpp"
+#include "engine/parallel/parallel.hpp"
+#include "surface/remesh/collapse_short.hpp"
+#include "surface/remesh/flip_better.hpp"
+#include "surface/remesh/relocate.hpp"
+#include "surface/remesh/split_long.hpp"
+#include "surface/repair/sheets.hpp"
+
+namespace quarry {
+namespace {
+
+// Each pass of splits halves what is longest: enough for edges of 2^40 wanted lengths.
+constexpr int kMostSplitPasses = 80;
+constexpr int kMovesEachRound = 2;
+// How far the number of triangles may be from what the wanted edge asks for.
+constexpr double kCountTolerance = 0.02;
+constexpr int kMovesAtTheEnd = 5;
+
+void set_normals(RemeshState& state) {
+  parallel::for_each(state.mesh.vertex_slots(), [&](std::size_t i) {
+    const VertexId v(i);
+    if (!state.mesh.alive(v) || !state.tags.support[v].is_free()) return;
+    Vec3 sum;
+    for_each_side_around(state.mesh, v, [&](SideId s) { sum = sum + state.normal_of(s.face()); });
+    const double size = length(sum);
+    const Vec3 p = state.point(v);
+    state.normals[v] = (size > 0 ? state.model.foot(p, (1 / size) * sum) : state.model.foot(p)).normal;
+  });
+}
+
+double area_of(const RemeshState& state) {
+  return parallel::reduce_ordered(
+      state.mesh.face_slots(), 0.0,
+      [&](std::size_t begin, std::size_t end) {
+        double sum = 0;
+        for (std::size_t i = begin; i < end; ++i) {
+          const auto p = state.points(state.corners(FaceId(i)));
+          sum += 0.5 * length(cross(p[1] - p[0], p[2] - p[0]));
+        }
+        return sum;
+      },
+      [](double a, double b) { return a + b; });
+}
+
+// Too many triangles ask for longer edges, by no more than a tenth at a time.
+double corrected(double edge, double faces, double wanted) {
+  return edge * std::clamp(std::sqrt(faces / wanted), 1 / 1.1, 1.1);
+}
+
+}  // namespace
+
+RemeshReport remesh_surface(Mesh& mesh, const SurfaceModel& model, const CurveNetwork& network,
+                            const RemeshOptions& options, const Progress& progress) {
+  RemeshState state{mesh,
+                    model,
+                    network,
+                    options,
+                    ConstraintTags::of(mesh),
+                    mesh.add_tag<VertexId, Vec3>(kSurfaceNormalTag),
+                    mesh.find_tag<FaceId, std::int32_t>(kSurfaceGroupTag)};
+  set_normals(state);
+  const double wanted_faces = area_of(state) / (0.25 * std::sqrt(3.0) * options.edge * options.edge);
+  RemeshReport report;
+  for (int round = 0; round < options.rounds; ++round) {
+    progress.report("remeshing", static_cast<double>(round) / options.rounds);
+    std::uint64_t changes = 0;
+    for (int pass = 0; pass < kMostSplitPasses; ++pass) {
+      const std::uint64_t splits = split_long_edges(state, progress);
+      if (splits == 0) break;
+      report.splits += splits;
+      changes += splits;
+      report.flips += flip_edges(state, FlipAim::kMeasure, progress);
+    }
+    const std::uint64_t collapses = collapse_short_edges(state, progress);
+    report.collapses += collapses;
+    changes += collapses;
+    compact(mesh, EntityOrder::kHilbert);
+    report.flips += flip_edges(state, FlipAim::kMeasure, progress);
+    report.flips += flip_edges(state, FlipAim::kValence, progress);
+    report.moves += relocate_vertices(state, kMovesEachRound, progress).moved;
+    ++report.rounds;
+    const double faces = static_cast<double>(mesh.count_alive_faces());
+    if (changes == 0 && std::abs(faces - wanted_faces) < kCountTolerance * wanted_faces) break;
+    state.options.edge = corrected(state.options.edge, faces, wanted_faces);
+  }
+  report.moves += relocate_vertices(state, kMovesAtTheEnd, progress).moved;
+  report.flips += flip_edges(state, FlipAim::kMeasure, progress);
+  return report;
+}
+
+}  // namespace quarry

@@ -1,0 +1,104 @@
+#include "surface/remesh/split_long.hpp"
+
+#include <array>
+
+#include "kernels/local/split.hpp"
+
+namespace quarry {
+namespace {
+
+class SplitLong {
+ public:
+  using Item = MeshEdge;
+  struct Plan {
+    Vec3 point, normal;
+    Support support;
+  };
+
+  explicit SplitLong(const RemeshState& state)
+      : state_(state), guard_(state.guard()), limit_(state.options.longest * state.options.edge) {}
+
+  // Too long, and the longest of one of its triangles; of equals that with the smaller ends.
+  [[nodiscard]] bool wanted(SideId s) const {
+    const Mesh& mesh = state_.mesh;
+    const double squared = state_.squared_length(mesh.origin(s), mesh.target(s));
+    if (!(squared > limit_ * limit_)) return false;
+    const auto longest_of = [&](SideId side) {
+      for (SideId other = mesh.next(side); other != side; other = mesh.next(other)) {
+        const double theirs = state_.squared_length(mesh.origin(other), mesh.target(other));
+        if (theirs > squared || (theirs == squared && key(other) < key(side))) return false;
+      }
+      return true;
+    };
+    const SideId t = mesh.neighbour(s);
+    return longest_of(s) || (t.valid() && longest_of(t));
+  }
+
+  bool propose(const Mesh& mesh, Item edge, Cavity& cavity, Plan& plan) const {
+    const SideId s = state_.side_of(edge);
+    if (!s.valid() || !wanted(s)) return false;
+    plan = plan_of(mesh, s);
+    claim_split_edge(mesh, s, cavity);
+    return true;
+  }
+
+  void apply(MeshEditor& editor, Item edge, const Plan& plan, NewIds ids, FollowUps<Item>& /*more*/) const {
+    const SideId s = state_.side_of(edge);
+    const SideId t = editor.mesh().neighbour(s);
+    // The new faces in the order in which they are taken.
+    editor.set(state_.groups, ids.face, state_.groups[s.face()]);
+    if (t.valid()) editor.set(state_.groups, FaceId(ids.face.value() + 1), state_.groups[t.face()]);
+    const VertexId m = split_edge(editor, state_.tags, s, plan.point, plan.support, ids);
+    editor.set(state_.normals, m, plan.normal);
+  }
+
+ private:
+  [[nodiscard]] std::pair<VertexId, VertexId> key(SideId s) const {
+    return std::minmax(state_.mesh.origin(s), state_.mesh.target(s));
+  }
+
+  [[nodiscard]] Plan plan_of(const Mesh& mesh, SideId s) const {
+    const auto [a, b] = key(s);
+    const Vec3 middle = 0.5 * (state_.point(a) + state_.point(b));
+    if (state_.tags.constrained(s)) {
+      const PieceId curve = state_.network.under_edge(state_.tags.support[a], state_.tags.support[b], middle);
+      const Vec3 place = curve.valid() ? state_.network.project(curve, middle) : middle;
+      return {fits(s, place) ? place : middle, Vec3(), curve.valid() ? Support::on(curve) : Support::fixed()};
+    }
+    const Vec3 around = state_.normal_of(s.face()) + state_.normal_of(mesh.neighbour(s).face());
+    const double size = length(around);
+    const SurfaceModel::Foot foot =
+        size > 0 ? state_.model.foot(middle, (1 / size) * around) : state_.model.foot(middle);
+    return {fits(s, foot.point) ? foot.point : middle, foot.normal, Support()};
+  }
+
+  // The parts of each triangle at the edge have areas and face as it does.
+  [[nodiscard]] bool fits(SideId s, Vec3 place) const {
+    const Mesh& mesh = state_.mesh;
+    for (const SideId side : {s, mesh.neighbour(s)}) {
+      if (!side.valid()) continue;
+      const Vec3 whole = state_.normal_of(side.face());
+      const Vec3 apex = state_.point(mesh.origin(mesh.previous(side)));
+      for (const Vec3 part : {unit_normal(state_.point(mesh.origin(side)), place, apex),
+                              unit_normal(place, state_.point(mesh.target(side)), apex)})
+        if (part == Vec3() || !guard_.agrees(part, whole)) return false;
+    }
+    return true;
+  }
+
+  const RemeshState& state_;
+  TriangleGuard guard_;
+  double limit_;
+};
+
+}  // namespace
+
+std::uint64_t split_long_edges(RemeshState& state, const Progress& progress) {
+  const SplitLong operation(state);
+  return run_pass(state.mesh, operation,
+                  edges_where(state.mesh, [&](SideId s) { return operation.wanted(s); }), PassOptions(),
+                  progress)
+      .won;
+}
+
+}  // namespace quarry

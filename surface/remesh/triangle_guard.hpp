@@ -1,0 +1,50 @@
+// What each change of a surface mesh must leave standing: triangles that face the way the surface does.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "engine/geometry/vec.hpp"
+#include "engine/mesh/mesh.hpp"
+
+namespace quarry {
+
+// The vertex tag (Vec3): the normal of the surface at a free vertex; zero at a vertex on a feature, which may
+// have several.
+inline constexpr const char* kSurfaceNormalTag = "surface_normal";
+
+// Lo's measure of a triangle in space: 1 if equilateral, 0 if flat. Has no sign.
+[[nodiscard]] inline double lo_measure(Vec3 a, Vec3 b, Vec3 c) {
+  const Vec3 ab = b - a, bc = c - b, ca = a - c;
+  const double squares = dot(ab, ab) + dot(bc, bc) + dot(ca, ca);
+  return squares > 0 ? 3.4641016151377546 * length(cross(ab, bc)) / squares : 0;
+}
+
+[[nodiscard]] inline Vec3 unit_normal(Vec3 a, Vec3 b, Vec3 c) {
+  const Vec3 n = cross(b - a, c - a);
+  const double size = length(n);
+  return size > 0 ? (1 / size) * n : Vec3();
+}
+
+class TriangleGuard {
+ public:
+  TriangleGuard(Tag<VertexId, Vec3> normals, double least_cosine) : normals_(normals), least_(least_cosine) {}
+
+  // True if the triangle has an area, and turns little from the surface at those of its corners that know.
+  // Points are given apart: a corner may be about to move.
+  [[nodiscard]] bool faces_up(const std::array<VertexId, 3>& corners,
+                              const std::array<Vec3, 3>& points) const {
+    const Vec3 n = unit_normal(points[0], points[1], points[2]);
+    if (n == Vec3()) return false;
+    return std::all_of(corners.begin(), corners.end(), [&](VertexId v) { return agrees(n, normals_[v]); });
+  }
+  // Two directions, of which one may be unknown (zero).
+  [[nodiscard]] bool agrees(Vec3 n, Vec3 m) const { return m == Vec3() || dot(n, m) >= least_; }
+
+ private:
+  Tag<VertexId, Vec3> normals_;
+  double least_;
+};
+
+}  // namespace quarry

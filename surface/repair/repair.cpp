@@ -1,0 +1,180 @@
+#include "surface/repair/repair.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "engine/base/error.hpp"
+#include "engine/parallel/parallel.hpp"
+#include "engine/parallel/sort.hpp"
+#include "surface/repair/fill_holes.hpp"
+#include "surface/repair/orient.hpp"
+#include "surface/repair/surface_edges.hpp"
+#include "surface/repair/weld.hpp"
+
+namespace quarry {
+namespace {
+
+class Repair {
+ public:
+  Repair(TriangleSurface surface, const RepairOptions& options)
+      : surface_(std::move(surface)), options_(options) {}
+
+  RepairedSurface run() {
+    require_points();
+    weld();
+    drop(degenerate(), report_.degenerate);
+    drop(duplicates(), report_.duplicate);
+    if (surface_.triangles.empty()) throw Error(ErrorKind::kInput, "the surface has no triangle");
+    drop_unused_points();
+    turn();
+    if (options_.fill_holes > 0) fill();
+    return finish();
+  }
+
+ private:
+  [[nodiscard]] Vec3 middle(const SurfaceTriangle& t) const {
+    return (1.0 / 3) * (surface_.points[t[0]] + surface_.points[t[1]] + surface_.points[t[2]]);
+  }
+
+  void require_points() const {
+    for (std::size_t t = 0; t < surface_.triangles.size(); ++t)
+      for (const std::uint32_t p : surface_.triangles[t])
+        if (p >= surface_.points.size())
+          throw Error(ErrorKind::kInput,
+                      fmt::format("triangle {} names point {}, of {}", t + 1, p + 1, surface_.points.size()));
+  }
+
+  void weld() {
+    const std::vector<std::uint32_t> first = weld_points(surface_.points, options_.weld);
+    welded_.assign(first.size(), 0);
+    for (std::uint32_t i = 0; i < first.size(); ++i) {
+      if (first[i] == i) continue;
+      welded_[i] = 1;
+      report_.welded.add(surface_.points[i]);
+    }
+    parallel::for_each(surface_.triangles.size(), [&](std::size_t t) {
+      for (std::uint32_t& p : surface_.triangles[t]) p = first[p];
+    });
+  }
+
+  [[nodiscard]] std::vector<std::uint8_t> degenerate() const {
+    std::vector<std::uint8_t> bad(surface_.triangles.size());
+    parallel::for_each(bad.size(), [&](std::size_t i) {
+      const SurfaceTriangle& t = surface_.triangles[i];
+      bad[i] = t[0] == t[1] || t[1] == t[2] || t[2] == t[0] ? 1 : 0;
+    });
+    return bad;
+  }
+
+  // Triangles of the same points, in any order, beyond the first.
+  [[nodiscard]] std::vector<std::uint8_t> duplicates() const {
+    std::vector<std::uint8_t> bad(surface_.triangles.size(), 0);
+    std::vector<SurfaceTriangle> corners = surface_.triangles;
+    parallel::for_each(corners.size(),
+                       [&](std::size_t i) { std::sort(corners[i].begin(), corners[i].end()); });
+    // By the two smallest points; the few triangles of one edge are compared one by one.
+    std::vector<std::uint64_t> keys(corners.size());
+    std::vector<std::uint32_t> order(corners.size());
+    parallel::for_each(corners.size(), [&](std::size_t i) {
+      keys[i] = (std::uint64_t{corners[i][0]} << 32) | corners[i][1];
+      order[i] = static_cast<std::uint32_t>(i);
+    });
+    parallel::stable_sort_by_key(keys, order);
+    for (std::size_t i = 1; i < order.size(); ++i)
+      for (std::size_t j = i; j > 0 && keys[j - 1] == keys[i]; --j)
+        if (corners[order[j - 1]] == corners[order[i]]) bad[order[i]] = 1;
+    return bad;
+  }
+
+  void drop(const std::vector<std::uint8_t>& bad, RepairCount& count) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < bad.size(); ++i) {
+      if (bad[i] != 0) {
+        count.add(middle(surface_.triangles[i]));
+        continue;
+      }
+      surface_.triangles[kept] = surface_.triangles[i];
+      surface_.groups[kept++] = surface_.groups[i];
+    }
+    surface_.triangles.resize(kept);
+    surface_.groups.resize(kept);
+  }
+
+  void drop_unused_points() {
+    constexpr std::uint32_t kUnused = 0xffffffffU;
+    std::vector<std::uint32_t> number(surface_.points.size(), kUnused);
+    for (const SurfaceTriangle& t : surface_.triangles)
+      for (const std::uint32_t p : t) number[p] = 0;
+    std::uint32_t count = 0;
+    for (std::size_t p = 0; p < number.size(); ++p) {
+      if (number[p] == kUnused) {
+        if (welded_[p] == 0) report_.unused.add(surface_.points[p]);
+        continue;
+      }
+      number[p] = count;
+      surface_.points[count++] = surface_.points[p];
+    }
+    surface_.points.resize(count);
+    for (SurfaceTriangle& t : surface_.triangles)
+      for (std::uint32_t& p : t) p = number[p];
+  }
+
+  void turn() {
+    const SurfaceEdges edges(surface_);
+    const Orientation orientation = orient(surface_, edges);
+    for (std::size_t t = 0; t < surface_.triangles.size(); ++t) {
+      if (orientation.turn[t] == 0) continue;
+      std::swap(surface_.triangles[t][1], surface_.triangles[t][2]);
+      report_.turned.add(middle(surface_.triangles[t]));
+    }
+  }
+
+  void fill() {
+    for (const FilledHole& hole : fill_holes(surface_, options_.fill_holes)) {
+      report_.filled_holes.add(surface_.points[hole.rim.front()]);
+      for (const SurfaceTriangle& t : hole.triangles) {
+        surface_.triangles.push_back(t);
+        surface_.groups.push_back(hole.group);
+      }
+    }
+  }
+
+  // Counts what is left, and names the edges in which sheets meet.
+  RepairedSurface finish() {
+    const SurfaceEdges edges(surface_);
+    RepairedSurface result;
+    for (std::uint32_t e = 0; e < edges.count(); ++e) {
+      const auto sides = edges.sides(e);
+      if (sides.size() == 1) {
+        ++report_.open_edges;
+        continue;
+      }
+      const auto [a, b] = SurfaceEdges::ends(surface_, sides[0]);
+      const bool seam = sides.size() == 2 && SurfaceEdges::ends(surface_, sides[1]).first == a;
+      if (sides.size() == 2 && !seam) continue;
+      (seam ? report_.seams : report_.branches).add(0.5 * (surface_.points[a] + surface_.points[b]));
+      result.joins.push_back({std::min(a, b), std::max(a, b)});
+    }
+    for (const SurfaceTriangle& t : surface_.triangles)
+      if (doubled_area(surface_, t) == Vec3()) report_.flat.add(middle(t));
+    report_.holes = rims_of(surface_).size();
+    result.surface = std::move(surface_);
+    result.report = std::move(report_);
+    return result;
+  }
+
+  TriangleSurface surface_;
+  RepairOptions options_;
+  RepairReport report_;
+  std::vector<std::uint8_t> welded_;  // by the number that a point came with: it went into another
+};
+
+}  // namespace
+
+RepairedSurface repair_surface(TriangleSurface surface, const RepairOptions& options) {
+  return Repair(std::move(surface), options).run();
+}
+
+}  // namespace quarry

@@ -1,0 +1,26 @@
+// A triangulated surface as it comes: points and triangles, with nothing said about how they hang together.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "engine/geometry/vec.hpp"
+
+namespace quarry {
+
+using SurfaceTriangle = std::array<std::uint32_t, 3>;  // numbers of points
+
+struct TriangleSurface {
+  std::vector<Vec3> points;
+  std::vector<SurfaceTriangle> triangles;
+  std::vector<std::int32_t> groups;  // one a triangle
+};
+
+// Twice the area of a triangle along its normal, which is that of the side from which the corners turn left.
+[[nodiscard]] inline Vec3 doubled_area(const TriangleSurface& surface, const SurfaceTriangle& t) {
+  const Vec3 a = surface.points[t[0]];
+  return cross(surface.points[t[1]] - a, surface.points[t[2]] - a);
+}
+
+}  // namespace quarry
