@@ -8,9 +8,13 @@
 #include <fmt/format.h>
 
 #include "engine/base/error.hpp"
+#include "io/mesh/gocad_format.hpp"
 #include "io/mesh/inp_format.hpp"
 #include "io/mesh/msh_format.hpp"
 #include "io/mesh/obj_format.hpp"
+#include "io/mesh/off_format.hpp"
+#include "io/mesh/ply_format.hpp"
+#include "io/mesh/stl_format.hpp"
 #include "io/mesh/vtu_reader.hpp"
 #include "io/mesh/vtu_writer.hpp"
 
@@ -19,13 +23,16 @@ namespace {
 
 struct MeshFormat {
   std::string_view extension;
-  void (*write)(const std::string& path, const Mesh& mesh, const MeshWriteOptions& options);
+  void (*write)(const std::string& path, const Mesh& mesh, const MeshWriteOptions& options);  // or nullptr
   ReadCells (*read)(const std::string& path);
 };
 
 constexpr std::array kFormats = {
     MeshFormat{".vtu", write_vtu, read_vtu}, MeshFormat{".msh", write_msh, read_msh},
-    MeshFormat{".obj", write_obj, read_obj}, MeshFormat{".inp", write_inp, read_inp}};
+    MeshFormat{".obj", write_obj, read_obj}, MeshFormat{".inp", write_inp, read_inp},
+    MeshFormat{".ply", write_ply, read_ply}, MeshFormat{".stl", write_stl, read_stl},
+    MeshFormat{".off", nullptr, read_off},   MeshFormat{".ts", nullptr, read_gocad},
+    MeshFormat{".ml", nullptr, read_gocad}};
 
 std::string extension_of(const std::string& path) {
   std::string extension = std::filesystem::path(path).extension().string();
@@ -34,28 +41,56 @@ std::string extension_of(const std::string& path) {
   return extension;
 }
 
+// ".vtu, .msh or .obj"
+std::string list_of(const std::vector<std::string_view>& extensions) {
+  const std::size_t last = extensions.size() - 1;
+  return fmt::format(
+      "{} or {}", fmt::join(extensions.begin(), extensions.begin() + static_cast<std::ptrdiff_t>(last), ", "),
+      extensions[last]);
+}
+
 const MeshFormat& format_of(const std::string& path) {
   const std::string extension = extension_of(path);
-  std::string known;
-  for (const MeshFormat& format : kFormats) {
+  for (const MeshFormat& format : kFormats)
     if (format.extension == extension) return format;
-    known += fmt::format("{}{}", known.empty() ? "" : ", ", format.extension);
-  }
-  throw Error(ErrorKind::kUsage,
-              fmt::format("{}: the mesh format \"{}\" is not known; use one of {}", path, extension, known));
+  throw Error(ErrorKind::kUsage, fmt::format("{}: the mesh format \"{}\" is not known; use one of {}", path,
+                                             extension, readable_mesh_formats()));
+}
+
+const MeshFormat& written_format_of(const std::string& path) {
+  const MeshFormat& format = format_of(path);
+  if (format.write == nullptr)
+    throw Error(ErrorKind::kUsage, fmt::format("{}: {} is read and not written; write one of {}", path,
+                                               format.extension, writable_mesh_formats()));
+  return format;
 }
 
 }  // namespace
 
 void write_mesh(const std::string& path, const Mesh& mesh, const MeshWriteOptions& options) {
-  format_of(path).write(path, mesh, options);
+  written_format_of(path).write(path, mesh, options);
 }
 
 ReadCells read_cells(const std::string& path) { return format_of(path).read(path); }
 
 Mesh read_mesh(const std::string& path) { return make_mesh(path, read_cells(path)); }
 
-void check_mesh_extension(const std::string& path) { static_cast<void>(format_of(path)); }
+void check_readable_extension(const std::string& path) { static_cast<void>(format_of(path)); }
+
+void check_writable_extension(const std::string& path) { static_cast<void>(written_format_of(path)); }
+
+std::string readable_mesh_formats() {
+  std::vector<std::string_view> extensions;
+  for (const MeshFormat& format : kFormats) extensions.push_back(format.extension);
+  return list_of(extensions);
+}
+
+std::string writable_mesh_formats() {
+  std::vector<std::string_view> extensions;
+  for (const MeshFormat& format : kFormats)
+    if (format.write != nullptr) extensions.push_back(format.extension);
+  return list_of(extensions);
+}
 
 bool is_mesh_file(const std::string& path) {
   const std::string extension = extension_of(path);

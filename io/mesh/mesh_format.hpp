@@ -8,13 +8,13 @@
 
 namespace quarry {
 
-// Writes the format that the extension names: .vtu, .msh, .obj or .inp, in either case of letters. A file
-// appears whole or not at all. Throws Error(kUsage) for another extension, Error(kOutput) where nothing can
-// be written.
+// Writes the format that the extension names, in either case of letters. A file appears whole or not at all.
+// Throws Error(kUsage) for an extension that is not known or read only, Error(kOutput) where nothing can be
+// written.
 void write_mesh(const std::string& path, const Mesh& mesh, const MeshWriteOptions& options);
 
-// Reads the same formats into a mesh with the tags region (faces), constraint and kind (edges). Throws
-// Error(kUsage) for another extension, Error(kInput) with the place for a file that cannot be read or is
+// Reads a file into a mesh with the tags region (faces), constraint and kind (edges). Throws Error(kUsage)
+// for an extension that is not known, Error(kInput) with the place for a file that cannot be read or is
 // broken.
 [[nodiscard]] Mesh read_mesh(const std::string& path);
 
@@ -22,8 +22,13 @@ void write_mesh(const std::string& path, const Mesh& mesh, const MeshWriteOption
 // names of its groups.
 [[nodiscard]] ReadCells read_cells(const std::string& path);
 
-// Throws Error(kUsage) unless write_mesh knows the extension: for a check before a long job.
-void check_mesh_extension(const std::string& path);
+// Throws Error(kUsage) unless read_mesh, or write_mesh, knows the extension: for a check before a long job.
+void check_readable_extension(const std::string& path);
+void check_writable_extension(const std::string& path);
+
+// ".vtu, .msh or .obj": the extensions that read_mesh, or write_mesh, knows.
+[[nodiscard]] std::string readable_mesh_formats();
+[[nodiscard]] std::string writable_mesh_formats();
 
 // True if read_mesh knows the extension.
 [[nodiscard]] bool is_mesh_file(const std::string& path);

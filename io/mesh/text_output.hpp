@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cstring>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,6 +29,15 @@ class TextLine {
     std::array<char, 32> digits{};
     const auto result = std::to_chars(digits.data(), digits.data() + digits.size(), value);
     text_.append(digits.data(), static_cast<std::size_t>(result.ptr - digits.data()));
+    return *this;
+  }
+  // The bytes of a value, for formats whose lists are binary.
+  template <class Value>
+    requires std::is_arithmetic_v<Value>
+  TextLine& bytes(Value value) {
+    char copy[sizeof(Value)];
+    std::memcpy(copy, &value, sizeof(Value));
+    text_.append(copy, sizeof(Value));
     return *this;
   }
 

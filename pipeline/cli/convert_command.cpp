@@ -19,8 +19,8 @@ struct ConvertArguments {
 };
 
 void run(const ConvertArguments& arguments) {
-  check_mesh_extension(arguments.input);
-  check_mesh_extension(arguments.output);
+  check_readable_extension(arguments.input);
+  check_writable_extension(arguments.output);
   check_outputs({arguments.output}, {arguments.input});
   ReadCells cells = read_cells(arguments.input);
   const GroupNames names = cells.names;
@@ -40,10 +40,10 @@ void run(const ConvertArguments& arguments) {
 void add_convert_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand("convert", "a mesh file in another format");
   const auto arguments = std::make_shared<ConvertArguments>();
-  command->add_option("input", arguments->input, "the mesh to read: .vtu, .msh, .obj or .inp")
+  command->add_option("input", arguments->input, "the mesh to read: " + readable_mesh_formats())
       ->required()
       ->type_name("IN");
-  command->add_option("output", arguments->output, "the mesh to write: .vtu, .msh, .obj or .inp")
+  command->add_option("output", arguments->output, "the mesh to write: " + writable_mesh_formats())
       ->required()
       ->type_name("OUT");
   command->add_flag("--compress", arguments->compress, "zlib in a .vtu");

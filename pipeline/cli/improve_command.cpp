@@ -41,8 +41,8 @@ void check(ImproveArguments& arguments) {
   if (arguments.improve.input.empty())
     throw Error(ErrorKind::kUsage, "no mesh is given; see quarry improve --help");
   if (arguments.output.empty()) throw Error(ErrorKind::kUsage, "no output is given: name it with -o OUT.vtu");
-  check_mesh_extension(arguments.improve.input);
-  check_mesh_extension(arguments.output);
+  check_readable_extension(arguments.improve.input);
+  check_writable_extension(arguments.output);
   if (!arguments.picture.empty()) check_picture_extension(arguments.picture);
   arguments.improve.cleanup = clean_up_level_of(arguments.cleanup);
   const double mixed_quality = mixed_quality_of(arguments.elements, arguments.mixed_quality);
@@ -120,10 +120,10 @@ void run(ImproveArguments& arguments) {
 
 void add_options(CLI::App& command, ImproveArguments& arguments) {
   const auto option = [&](const char* name, auto& value, const char* type, const char* group,
-                          const char* help) {
+                          const std::string& help) {
     return command.add_option(name, value, help)->type_name(type)->group(group);
   };
-  command.add_option("inputs", arguments.improve.input, "the mesh to improve: .vtu, .msh, .obj or .inp")
+  command.add_option("inputs", arguments.improve.input, "the mesh to improve: " + readable_mesh_formats())
       ->type_name("MESH");
   const char* shape = "Elements";
   option("--cleanup", arguments.cleanup, "none|local|full|fewest", shape,
@@ -144,7 +144,7 @@ void add_options(CLI::App& command, ImproveArguments& arguments) {
       "how far from a straight stretch of a line or of the boundary a vertex may lie and still slide along "
       "it; default: what rounding needs");
   const char* output = "Output";
-  option("-o,--output", arguments.output, "OUT", output, "the mesh to write: .vtu, .msh, .obj or .inp");
+  option("-o,--output", arguments.output, "OUT", output, "the mesh to write: " + writable_mesh_formats());
   option("--report", arguments.report, "FILE.json", output, "counts, times, quality before and after; JSON");
   option("--picture", arguments.picture, "FILE.svg|.png", output,
          "a drawing of the mesh with its lines on top");

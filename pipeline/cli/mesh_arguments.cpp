@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "engine/base/error.hpp"
+#include "io/mesh/mesh_format.hpp"
 #include "pipeline/cli/irregular_price.hpp"
 #include "pipeline/cli/mixed_quality.hpp"
 #include "pipeline/cli/not_built.hpp"
@@ -86,7 +87,7 @@ void add_shape_options(CLI::App& command, MeshArguments& arguments) {
 
 void add_output_options(CLI::App& command, MeshArguments& arguments) {
   const char* group = "Output";
-  command.add_option("-o,--output", arguments.output, "the mesh to write: .vtu, .msh, .obj or .inp")
+  command.add_option("-o,--output", arguments.output, "the mesh to write: " + writable_mesh_formats())
       ->type_name("OUT")
       ->group(group);
   command

@@ -38,9 +38,9 @@ std::string rounded(double count) {
 
 void check(MeshArguments& arguments) {
   fill_section(arguments);
-  check_mesh_extension(arguments.output);
+  check_writable_extension(arguments.output);
   if (!arguments.picture.empty()) check_picture_extension(arguments.picture);
-  if (!arguments.section.start_file.empty()) check_mesh_extension(arguments.section.start_file);
+  if (!arguments.section.start_file.empty()) check_readable_extension(arguments.section.start_file);
   std::vector<std::string> inputs = arguments.section.inputs;
   inputs.insert(inputs.end(), {arguments.section.boundary, arguments.section.start_file,
                                price_file(arguments.section.irregular_price)});

@@ -71,7 +71,7 @@ bool is_surface(const std::vector<std::string>& inputs) {
 
 void run_mesh_surface(MeshArguments& arguments) {
   const SurfaceOptions options = options_of(arguments);
-  check_mesh_extension(arguments.output);
+  check_writable_extension(arguments.output);
   check_outputs({arguments.output, arguments.report, arguments.picture}, options.inputs);
   const std::vector<Demand> demands = parse_demands(arguments.require);
   ProgressBar bar(!arguments.common.quiet);

@@ -34,7 +34,7 @@ std::optional<Box2> window_of(const std::vector<double>& window) {
 void run(const PictureArguments& arguments) {
   if (arguments.output.empty())
     throw Error(ErrorKind::kUsage, "no output is given: name it with -o OUT.svg or OUT.png");
-  check_mesh_extension(arguments.input);
+  check_readable_extension(arguments.input);
   check_picture_extension(arguments.output);
   check_outputs({arguments.output}, {arguments.input});
   const Mesh mesh = read_mesh(arguments.input);
@@ -57,7 +57,7 @@ void run(const PictureArguments& arguments) {
 void add_picture_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand("picture", "draw a mesh, its lines on top");
   const auto arguments = std::make_shared<PictureArguments>();
-  command->add_option("mesh", arguments->input, "the mesh to draw: .vtu, .msh, .obj or .inp")
+  command->add_option("mesh", arguments->input, "the mesh to draw: " + readable_mesh_formats())
       ->required()
       ->type_name("MESH");
   command->add_option("-o,--output", arguments->output, "the drawing: .svg or .png")->type_name("OUT");

@@ -67,7 +67,7 @@ void run(const QualityArguments& arguments) {
 void add_quality_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand("quality", "every measure of a mesh file");
   const auto arguments = std::make_shared<QualityArguments>();
-  command->add_option("mesh", arguments->input, "the mesh to measure: .vtu, .msh, .obj or .inp")
+  command->add_option("mesh", arguments->input, "the mesh to measure: " + readable_mesh_formats())
       ->required()
       ->type_name("MESH");
   command->add_flag("--json", arguments->json, "as JSON, with the keys of a report's \"quality\"");

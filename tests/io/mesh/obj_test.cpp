@@ -1,8 +1,4 @@
-#include <gtest/gtest.h>
-
-#include "engine/base/error.hpp"
-#include "io/mesh/mesh_format.hpp"
-#include "tests/io/mesh/temporary_folder.hpp"
+#include "tests/io/mesh/read_error.hpp"
 
 namespace quarry {
 namespace {
@@ -33,31 +29,50 @@ TEST(ObjReader, ReadsPointsOfThePlane) {
   EXPECT_EQ(mesh.face_slots(), 1U);
 }
 
-void expect_error(const std::string& text, const std::string& message) {
-  const TemporaryFolder folder;
-  try {
-    static_cast<void>(read_mesh(folder.file("a.obj", text)));
-    FAIL() << "no error";
-  } catch (const Error& error) {
-    EXPECT_EQ(error.kind(), ErrorKind::kInput);
-    EXPECT_NE(error.message().find(message), std::string::npos) << error.message();
-  }
+TEST(ObjReader, KeepsGroupsAndObjectsAsRegionsWithTheirNames) {
+  const ReadCells cells = read_text_as(
+      "a.obj",
+      "v 0 0\nv 1 0\nv 0 1\nv 1 1\ng line_4 outer\nl 1 2\no upper\nf 1 2 3\ng\nusemtl rock\ns off\n"
+      "g lower\nf 2 4 3\nl 2 4\ng outer_boundary\nl 4 3 1\n");
+  EXPECT_EQ(cells.regions, (std::vector<std::int32_t>{0, 1}));
+  EXPECT_EQ(cells.names.regions.at(0), "upper");
+  EXPECT_EQ(cells.names.regions.at(1), "lower");
+  EXPECT_EQ(cells.constraints, (std::vector<std::int32_t>{4, 4, -1, -1}));
 }
 
 TEST(ObjReader, NamesTheLineOfABrokenNumber) {
-  expect_error("v 0 0 0\nv 1 zero 0\n", "a.obj:2: a coordinate is expected, not \"zero\"");
+  expect_read_error("a.obj", "v 0 0 0\nv 1 zero 0\n", "a.obj:2: a coordinate is expected, not \"zero\"");
 }
 TEST(ObjReader, NamesAPointThatDoesNotExist) {
-  expect_error("v 0 0 0\nf 1 2 3\n", "a.obj:2: point 2 does not exist; 1 points come before this line");
-  expect_error("v 0 0 0\nf -2 1 1\n", "a.obj:2: point -2 does not exist");
+  expect_read_error("a.obj", "v 0 0 0\nf 1 2 3\n",
+                    "a.obj:2: point 2 does not exist; 1 points come before this line");
+  expect_read_error("a.obj", "v 0 0 0\nf -2 1 1\n", "a.obj:2: point -2 does not exist");
+}
+TEST(ObjReader, ReadsNoNumbersFromTheNextLine) {
+  expect_read_error("a.obj", "v 0\n0 0\n", "a.obj:1: a coordinate is missing");
+  expect_read_error("a.obj", "v 0 0 0\nv 1 0 0\nl\n1 2\n", "a.obj:3: the number of a point is missing");
+  expect_read_error("a.obj", "v 0 0 0\nf 1 1\n1\n", "a.obj:2: a face has 2 corners");
+}
+TEST(ObjReader, RefusesCoordinatesThatAreNotFinite) {
+  expect_read_error("a.obj", "v 0 0 0\nv 1 nan 0\n", "a.obj:2: a coordinate is not a finite number");
+  expect_read_error("a.obj", "v 0 0 1e999\n", "a.obj:1: a coordinate is expected, not \"1e999\"");
+}
+TEST(ObjReader, RefusesWhatItWouldMissAndWhatIsNoObj) {
+  expect_read_error("a.obj", "cstype bspline\nsurf 0 1 0 1\n", "a.obj:2: free-form curves and surfaces");
+  expect_read_error("a.obj", std::string("\0\0\0\0", 4), "a.obj:1: ");
+  expect_read_error("a.obj",
+                    "v 0 0 0\n\x7f"
+                    "ELF\n",
+                    "a.obj:2: ");
+  expect_read_error("a.obj", "{\"type\": 1}\n", "is no key of an .obj file");
 }
 TEST(ObjReader, RefusesFacesOfFiveCorners) {
-  expect_error("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 2 0\nf 1 2 3 4 5\n",
-               "a.obj:6: a face has more than 4 corners");
+  expect_read_error("a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 2 0\nf 1 2 3 4 5\n",
+                    "a.obj:6: a face has more than 4 corners");
 }
 TEST(ObjReader, NamesAnEdgeOfThreeFaces) {
-  expect_error("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 -1 0\nv 1 1 1\nf 1 2 3\nf 2 1 4\nf 1 2 5\n",
-               "has three faces");
+  expect_read_error("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 -1 0\nv 1 1 1\nf 1 2 3\nf 2 1 4\nf 1 2 5\n",
+                    "has three faces");
 }
 
 }  // namespace

@@ -123,7 +123,7 @@ TEST_P(MeshFormat, RefusesBrokenFilesWithAnError) {
 
 INSTANTIATE_TEST_SUITE_P(All, MeshFormat,
                          testing::Values(Case{".vtu", false}, Case{".vtu", true}, Case{".msh", false},
-                                         Case{".obj", false}, Case{".inp", false}),
+                                         Case{".obj", false}, Case{".inp", false}, Case{".ply", false}),
                          [](const auto& instance) {
                            return std::string(instance.param.extension + 1) +
                                   (instance.param.compress ? "Compressed" : "");
@@ -132,7 +132,7 @@ INSTANTIATE_TEST_SUITE_P(All, MeshFormat,
 TEST(MeshFormats, AreNamedWhenAnExtensionIsNotKnown) {
   for (const char* path : {"mesh.stp", "mesh"}) {
     try {
-      check_mesh_extension(path);
+      check_readable_extension(path);
       FAIL() << "no error";
     } catch (const Error& error) {
       EXPECT_EQ(error.kind(), ErrorKind::kUsage);
@@ -141,7 +141,23 @@ TEST(MeshFormats, AreNamedWhenAnExtensionIsNotKnown) {
   }
 }
 
-TEST(MeshFormats, TakeExtensionsInEitherCase) { EXPECT_NO_THROW(check_mesh_extension("A.VTU")); }
+TEST(MeshFormats, AreRefusedWhenTheyAreOnlyRead) {
+  for (const char* path : {"mesh.off", "mesh.ts", "mesh.ML"}) {
+    EXPECT_NO_THROW(check_readable_extension(path));
+    try {
+      check_writable_extension(path);
+      FAIL() << "no error";
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::kUsage);
+      EXPECT_NE(
+          error.message().find("is read and not written; write one of .vtu, .msh, .obj, .inp, .ply or .stl"),
+          std::string::npos)
+          << error.message();
+    }
+  }
+}
+
+TEST(MeshFormats, TakeExtensionsInEitherCase) { EXPECT_NO_THROW(check_readable_extension("A.VTU")); }
 
 }  // namespace
 }  // namespace quarry
