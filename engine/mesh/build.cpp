@@ -19,6 +19,7 @@ class MeshBuilder {
     mesh.x_ = std::move(x);
     mesh.y_ = std::move(y);
     mesh.z_ = std::move(z);
+    mesh.spatial_ = !mesh.z_.empty();
     mesh.side_of_.assign(mesh.x_.size(), Mesh::kDeadVertex);
     mesh.corners_.resize(faces.size() * 4);
     mesh.neighbours_.resize(faces.size() * 4);

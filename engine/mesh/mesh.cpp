@@ -1,6 +1,7 @@
 #include "engine/mesh/mesh.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 #include "engine/parallel/parallel.hpp"
 
@@ -58,6 +59,11 @@ void Mesh::delete_face(FaceId f) {
     set_corner(SideId(f, i), VertexId());
     set_neighbour(SideId(f, i), SideId());
   }
+}
+
+void Mesh::make_spatial() {
+  assert(vertex_slots() == 0);
+  spatial_ = true;
 }
 
 VertexId Mesh::grow_vertices(std::size_t count) {

@@ -49,7 +49,7 @@ class Mesh {
   [[nodiscard]] std::size_t count_alive_faces() const;
 
   // Geometry.
-  [[nodiscard]] bool planar() const { return z_.empty(); }
+  [[nodiscard]] bool planar() const { return !spatial_; }
   [[nodiscard]] Vec2 point(VertexId v) const { return {x_[v.value()], y_[v.value()]}; }
   [[nodiscard]] Vec3 point3(VertexId v) const {
     return {x_[v.value()], y_[v.value()], planar() ? 0.0 : z_[v.value()]};
@@ -106,6 +106,8 @@ class Mesh {
   void delete_vertex(VertexId v) { side_of_[v.value()] = kDeadVertex; }
   void delete_face(FaceId f);
 
+  // Gives a mesh without vertices a third coordinate.
+  void make_spatial();
   // Appends tombstones to be filled by the caller; the first new id.
   VertexId grow_vertices(std::size_t count);
   FaceId grow_faces(std::size_t count);
@@ -128,6 +130,15 @@ class Mesh {
   void remove_tag(std::string_view name) {
     tags<IdType>().remove(name);
   }
+  // The normal of the surface that a mesh in space lies on, at each vertex: a tag with a handle at hand,
+  // since all that moves vertices there asks for it. Invalid until it is added.
+  static constexpr const char* kNormalTag = "normal";
+  Tag<VertexId, Vec3> add_normals() { return normals_ = add_tag<VertexId, Vec3>(kNormalTag); }
+  void remove_normals() {
+    remove_tag<VertexId>(kNormalTag);
+    normals_ = {};
+  }
+  [[nodiscard]] Tag<VertexId, Vec3> normals() const { return normals_; }
   [[nodiscard]] std::vector<EntitySet<VertexId>>& vertex_sets() { return vertex_sets_; }
   [[nodiscard]] std::vector<EntitySet<EdgeId>>& edge_sets() { return edge_sets_; }
   [[nodiscard]] std::vector<EntitySet<FaceId>>& face_sets() { return face_sets_; }
@@ -153,18 +164,28 @@ class Mesh {
     if constexpr (std::is_same_v<IdType, FaceId>) return face_slots();
   }
 
+  bool spatial_ = false;
   std::vector<double> x_, y_, z_;
   std::vector<SideId> side_of_;
   std::vector<VertexId> corners_;   // four a face
   std::vector<SideId> neighbours_;  // four a face
   IdVector<EdgeId, std::pair<VertexId, VertexId>> edge_ends_;
   TagSet<VertexId> vertex_tags_;
+  Tag<VertexId, Vec3> normals_;
   TagSet<EdgeId> edge_tags_;
   TagSet<FaceId> face_tags_;
   std::vector<EntitySet<VertexId>> vertex_sets_;
   std::vector<EntitySet<EdgeId>> edge_sets_;
   std::vector<EntitySet<FaceId>> face_sets_;
 };
+
+// Puts a vertex where one of another mesh is; both lie in the plane or in space.
+inline void copy_point(const Mesh& from, VertexId v, Mesh& to, VertexId w) {
+  if (from.planar())
+    to.set_point(w, from.point(v));
+  else
+    to.set_point3(w, from.point3(v));
+}
 
 // Calls visit(SideId) for each side that starts at v, counter-clockwise from side_of(v).
 template <class Visit>

@@ -71,13 +71,6 @@ void place_copies(Mesh& mesh, const ConstraintTags& tags, const Sectors& sectors
   });
 }
 
-void copy_place(Mesh& mesh, VertexId from, VertexId to) {
-  if (mesh.planar())
-    mesh.set_point(to, mesh.point(from));
-  else
-    mesh.set_point3(to, mesh.point3(from));
-}
-
 // Joins boundary sides over the same two whole vertices.
 void join_cut_sides(Mesh& mesh, const ConstraintTags& tags, const Tag<VertexId, VertexId>& whole) {
   auto sides = parallel::filter_indices(4 * mesh.face_slots(), [&](std::size_t i) {
@@ -117,7 +110,7 @@ void cut_open(Mesh& mesh, ConstraintTags tags) {
   parallel::for_each(extra.size(), [&](std::size_t j) {
     const VertexId copy(first_copy.value() + j);
     const VertexId v = sectors.vertex(extra[j]);
-    copy_place(mesh, v, copy);
+    copy_point(mesh, v, mesh, copy);
     tags.support[copy] = tags.support[v];
     whole[copy] = v;
     mesh.set_side_of(copy, sectors.first_side(extra[j]));

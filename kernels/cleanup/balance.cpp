@@ -61,6 +61,8 @@ std::string find_imbalance(const Mesh& mesh, const Model& model, const MeshBalan
 }
 
 template MeshBalance balance_of(const Mesh&, const PlaneModel&);
+template MeshBalance balance_of(const Mesh&, const SpaceModel&);
 template std::string find_imbalance(const Mesh&, const PlaneModel&, const MeshBalance&);
+template std::string find_imbalance(const Mesh&, const SpaceModel&, const MeshBalance&);
 
 }  // namespace quarry

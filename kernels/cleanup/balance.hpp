@@ -27,6 +27,8 @@ template <GeometryModel Model>
 [[nodiscard]] std::string find_imbalance(const Mesh& mesh, const Model& model, const MeshBalance& before);
 
 extern template MeshBalance balance_of(const Mesh&, const PlaneModel&);
+extern template MeshBalance balance_of(const Mesh&, const SpaceModel&);
 extern template std::string find_imbalance(const Mesh&, const PlaneModel&, const MeshBalance&);
+extern template std::string find_imbalance(const Mesh&, const SpaceModel&, const MeshBalance&);
 
 }  // namespace quarry

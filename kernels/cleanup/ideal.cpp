@@ -59,6 +59,8 @@ Tag<VertexId, std::uint8_t> set_ideal_faces(Mesh& mesh, const Model& model) {
 }
 
 template double sector_angle(const Mesh&, const PlaneModel&, VertexId);
+template double sector_angle(const Mesh&, const SpaceModel&, VertexId);
 template Tag<VertexId, std::uint8_t> set_ideal_faces(Mesh&, const PlaneModel&);
+template Tag<VertexId, std::uint8_t> set_ideal_faces(Mesh&, const SpaceModel&);
 
 }  // namespace quarry

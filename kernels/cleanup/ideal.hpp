@@ -29,6 +29,8 @@ Tag<VertexId, std::uint8_t> set_ideal_faces(Mesh& mesh, const Model& model);
 constexpr int valence_energy(int faces, int ideal) { return (faces - ideal) * (faces - ideal); }
 
 extern template double sector_angle(const Mesh&, const PlaneModel&, VertexId);
+extern template double sector_angle(const Mesh&, const SpaceModel&, VertexId);
 extern template Tag<VertexId, std::uint8_t> set_ideal_faces(Mesh&, const PlaneModel&);
+extern template Tag<VertexId, std::uint8_t> set_ideal_faces(Mesh&, const SpaceModel&);
 
 }  // namespace quarry

@@ -177,5 +177,7 @@ LocalCleanupReport clean_up_locally(Mesh& mesh, const Model& model, const LocalC
 
 template LocalCleanupReport clean_up_locally(Mesh&, const PlaneModel&, const LocalCleanupOptions&,
                                              const Progress&);
+template LocalCleanupReport clean_up_locally(Mesh&, const SpaceModel&, const LocalCleanupOptions&,
+                                             const Progress&);
 
 }  // namespace quarry

@@ -57,5 +57,7 @@ LocalCleanupReport clean_up_locally(Mesh& mesh, const Model& model, const LocalC
 
 extern template LocalCleanupReport clean_up_locally(Mesh&, const PlaneModel&, const LocalCleanupOptions&,
                                                     const Progress&);
+extern template LocalCleanupReport clean_up_locally(Mesh&, const SpaceModel&, const LocalCleanupOptions&,
+                                                    const Progress&);
 
 }  // namespace quarry

@@ -123,5 +123,6 @@ typename LocalAttempt<Model>::Quality LocalAttempt<Model>::quality_of(const Mesh
 }
 
 template class LocalAttempt<PlaneModel>;
+template class LocalAttempt<SpaceModel>;
 
 }  // namespace quarry

@@ -87,5 +87,6 @@ class LocalAttempt {
 };
 
 extern template class LocalAttempt<PlaneModel>;
+extern template class LocalAttempt<SpaceModel>;
 
 }  // namespace quarry

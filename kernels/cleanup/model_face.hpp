@@ -17,7 +17,7 @@ template <class Point>
   if constexpr (std::is_same_v<Point, Vec2>)
     return mesh.point(v);
   else
-    return mesh.point3(v);
+    return {mesh.point3(v), mesh.normals()[v]};
 }
 
 inline double size_of(double cross_product) { return std::abs(cross_product); }

@@ -199,5 +199,6 @@ double PatchCommit<Model>::energy_of(const Mesh& mesh, std::span<const VertexId>
 }
 
 template class PatchCommit<PlaneModel>;
+template class PatchCommit<SpaceModel>;
 
 }  // namespace quarry

@@ -61,5 +61,6 @@ class PatchCommit {
 };
 
 extern template class PatchCommit<PlaneModel>;
+extern template class PatchCommit<SpaceModel>;
 
 }  // namespace quarry

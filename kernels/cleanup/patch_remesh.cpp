@@ -262,6 +262,8 @@ PatchReport remesh_patches(Mesh& cut_open, const Model& model, const PatchOption
 
 template PatchReport remesh_patches<PlaneModel>(Mesh&, const PlaneModel&, const PatchOptions&, PatchMemory&,
                                                 const Progress&);
+template PatchReport remesh_patches<SpaceModel>(Mesh&, const SpaceModel&, const PatchOptions&, PatchMemory&,
+                                                const Progress&);
 
 std::vector<std::size_t> patch_classes(std::size_t largest, bool fewest, std::size_t faces) {
   constexpr std::size_t kSmallestClass = 32;

@@ -26,6 +26,8 @@ PatchReport remesh_patches(Mesh& cut_open, const Model& model, const PatchOption
 
 extern template PatchReport remesh_patches<PlaneModel>(Mesh&, const PlaneModel&, const PatchOptions&,
                                                        PatchMemory&, const Progress&);
+extern template PatchReport remesh_patches<SpaceModel>(Mesh&, const SpaceModel&, const PatchOptions&,
+                                                       PatchMemory&, const Progress&);
 
 // The size classes to run one after the other: 32, 128, ... and `largest`. With fewest, as few irregular
 // vertices as possible at the price of bent rows, they go on doubling until they hold all faces.

@@ -52,7 +52,7 @@ void copy_vertices(const Mesh& from, ConstraintTags from_tags, const MergedSides
   parallel::for_each(from.vertex_slots(), [&](std::size_t i) {
     const VertexId v(i);
     to_tags.support[v] = from_tags.support[v];
-    to.set_point(v, from.point(v));
+    copy_point(from, v, to, v);
     if (!from.alive(v)) return;
     // A side that vanishes is inside, so that the next one clockwise exists, and does not vanish too.
     SideId s = from.side_of(v);
@@ -68,6 +68,7 @@ Mesh merge_pairs(Mesh&& triangles, const Pairing& pairing) {
   const ConstraintTags from_tags = ConstraintTags::of(from);
   const MergedSides sides(from, pairing);
   Mesh to;
+  if (!from.planar()) to.make_spatial();
   ConstraintTags to_tags = ConstraintTags::add_to(to);
   to.grow_vertices(from.vertex_slots());
   to.grow_faces(sides.count());

@@ -15,7 +15,8 @@ double signed_square_of_sine(Vec2 previous, Vec2 here, Vec2 next) {
 }
 
 double squared_length_of(const Mesh& mesh, SideId s) {
-  return squared_length(mesh.point(mesh.target(s)) - mesh.point(mesh.origin(s)));
+  const Vec3 edge = mesh.point3(mesh.target(s)) - mesh.point3(mesh.origin(s));
+  return dot(edge, edge);
 }
 
 }  // namespace

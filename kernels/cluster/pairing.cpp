@@ -1,10 +1,12 @@
 #include "kernels/cluster/pairing.hpp"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <vector>
 
 #include "engine/parallel/parallel.hpp"
+#include "kernels/quality/flat_face.hpp"
 
 namespace quarry {
 namespace {
@@ -83,6 +85,22 @@ void compute_worths(const Mesh& mesh, ConstraintTags tags, int pass, const Pairi
   });
 }
 
+// The cosine of the angle between two triangles that may be merged, in space.
+constexpr double kLeastFlatness = 0.5;
+
+// Of the quad that merging across s makes.
+double worst_corner(const Mesh& mesh, SideId s) {
+  const auto v = merged_corners(mesh, s);
+  if (mesh.planar())
+    return worst_corner_signed_square(mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2]), mesh.point(v[3]));
+  const std::array<Vec3, 4> p = {mesh.point3(v[0]), mesh.point3(v[1]), mesh.point3(v[2]), mesh.point3(v[3])};
+  const Vec3 n = cross(p[1] - p[0], p[2] - p[0]);
+  const Vec3 m = cross(p[2] - p[0], p[3] - p[0]);
+  if (!(dot(n, m) >= kLeastFlatness * length(n) * length(m))) return -1;
+  const FlatFace flat(p);
+  return worst_corner_signed_square(flat.corner(0), flat.corner(1), flat.corner(2), flat.corner(3));
+}
+
 }  // namespace
 
 int pairing_passes(const PairingOptions& options) {
@@ -94,14 +112,13 @@ float pair_worth(const Mesh& mesh, ConstraintTags tags, SideId side, int pass,
   if (tags.constrained(side)) return -1.0F;
   // From the smaller side, so that both triangles get the same bits.
   const SideId s = canonical(mesh, side);
-  const auto v = merged_corners(mesh, s);
-  const double quality =
-      worst_corner_signed_square(mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2]), mesh.point(v[3]));
+  const double quality = worst_corner(mesh, s);
   if (!(quality >= options.convex_margin * options.convex_margin)) return -1.0F;
   if (options.measure == PairMeasure::kQuadQuality) return static_cast<float>(quality);
   if (pass == 0 && !longest_of_its_face(mesh, s) && !longest_of_its_face(mesh, mesh.neighbour(s)))
     return -1.0F;
-  return static_cast<float>(squared_length(mesh.point(mesh.target(s)) - mesh.point(mesh.origin(s))));
+  const Vec3 edge = mesh.point3(mesh.target(s)) - mesh.point3(mesh.origin(s));
+  return static_cast<float>(dot(edge, edge));
 }
 
 Pairing pair_triangles(const Mesh& mesh, ConstraintTags tags, const PairingOptions& options,

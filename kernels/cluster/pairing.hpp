@@ -36,8 +36,9 @@ struct PairingReport {
                                const PairingOptions& options);
 [[nodiscard]] int pairing_passes(const PairingOptions& options);
 
-// Pairs the triangles of a planar triangle mesh (tombstones are skipped). Constrained edges are never merged
-// across. Scratch memory: 20 bytes a triangle beside the result.
+// Pairs the triangles of a triangle mesh (tombstones are skipped). In space a quad is judged as it looks
+// along its own normal, and its triangles must lie nearly flat beside one another. Constrained edges are
+// never merged across. Scratch memory: 20 bytes a triangle beside the result.
 [[nodiscard]] Pairing pair_triangles(const Mesh& mesh, ConstraintTags tags, const PairingOptions& options,
                                      PairingReport& report, const Progress& progress);
 

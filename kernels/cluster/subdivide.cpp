@@ -82,6 +82,7 @@ class Subdivision {
         number_(coarse),
         old_tags_(ConstraintTags::of(coarse)),
         tags_(ConstraintTags::add_to(fine_)) {
+    if (!coarse.planar()) fine_.make_spatial();
     fine_.grow_vertices(number_.vertex_count());
     fine_.grow_faces(number_.quad_count());
   }
@@ -110,7 +111,7 @@ class Subdivision {
   }
 
   void copy_vertex(VertexId v) {
-    fine_.set_point(v, coarse_.point(v));
+    copy_point(coarse_, v, fine_, v);
     tags_.support[v] = old_tags_.support[v];
     if (coarse_.alive(v)) fine_.set_side_of(v, number_.first_half(coarse_.side_of(v)));
   }
@@ -121,6 +122,12 @@ class Subdivision {
       const SideId s(f, k);
       if (!number_.owns(s)) continue;
       const VertexId m = number_.midpoint(s);
+      fine_.set_side_of(m, number_.second_half(s));
+      if (!coarse_.planar()) {
+        fine_.set_point3(m, 0.5 * (coarse_.point3(coarse_.origin(s)) + coarse_.point3(coarse_.target(s))));
+        tags_.support[m] = support_in_space(s);
+        continue;
+      }
       const Vec2 a = coarse_.point(coarse_.origin(s));
       const Vec2 b = coarse_.point(coarse_.target(s));
       const Support support = midpoint_support(s);
@@ -131,7 +138,6 @@ class Subdivision {
       }
       fine_.set_point(m, place);
       tags_.support[m] = support;
-      fine_.set_side_of(m, number_.second_half(s));
     }
   }
 
@@ -145,6 +151,14 @@ class Subdivision {
                   fmt::format("the constrained edge at {} lies on no piece", format_point(a.x, a.y)));
     }
     return Support::on(piece);
+  }
+
+  // Which curve joins two nodes only the caller can tell: fixed.
+  [[nodiscard]] Support support_in_space(SideId s) const {
+    if (!old_tags_.constrained(s)) return coarse_.neighbour(s).valid() ? Support::free() : Support::fixed();
+    for (const VertexId v : {coarse_.origin(s), coarse_.target(s)})
+      if (old_tags_.support[v].slides()) return old_tags_.support[v];
+    return Support::fixed();
   }
 
   void make_quads(FaceId f) {
@@ -170,6 +184,10 @@ class Subdivision {
   }
 
   bool place_centre(FaceId f) {
+    if (!coarse_.planar()) {
+      place_in_the_middle(f);
+      return true;
+    }
     CentreProblem problem;
     for (int k = 0; k < coarse_.corner_count(f); ++k) {
       problem.corners.push_back(coarse_.point(coarse_.corner(f, k)));
@@ -178,6 +196,13 @@ class Subdivision {
     const std::optional<Vec2> centre = best_centre(problem);
     if (centre) fine_.set_point(number_.centre(f), *centre);
     return centre.has_value();
+  }
+
+  void place_in_the_middle(FaceId f) {
+    const int count = coarse_.corner_count(f);
+    Vec3 sum;
+    for (int k = 0; k < count; ++k) sum = sum + coarse_.point3(coarse_.corner(f, k));
+    fine_.set_point3(number_.centre(f), (1.0 / count) * sum);
   }
 
   const Mesh& coarse_;
@@ -211,6 +236,16 @@ std::uint64_t count_triangles(const Mesh& mesh) {
 }
 
 }  // namespace
+
+Mesh subdivide_in_space(Mesh&& coarse, SubdivideReport& report) {
+  const Mesh input = std::move(coarse);
+  const NodedLines none;
+  Subdivision subdivision(input, none);
+  static_cast<void>(subdivision.run());  // no face fails in space
+  report.quads = subdivision.quad_count();
+  report.from_triangles = count_triangles(input);
+  return subdivision.take();
+}
 
 Mesh subdivide(Mesh&& input, const NodedLines& lines, SubdivideReport& report, const Progress& progress) {
   Mesh coarse = std::move(input);

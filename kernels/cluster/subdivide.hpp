@@ -1,4 +1,4 @@
-// Halves every edge of a planar mesh of triangles and quads: a quad becomes four quads, a triangle three. An
+// Halves every edge of a mesh of triangles and quads: a quad becomes four quads, a triangle three. An
 // all-quad mesh, whatever the input.
 #pragma once
 
@@ -24,5 +24,10 @@ struct SubdivideReport {
 // coarse triangle is too flat for valid quads in double precision.
 [[nodiscard]] Mesh subdivide(Mesh&& coarse, const NodedLines& lines, SubdivideReport& report,
                              const Progress& progress);
+
+// The same in space, where only topology is certain: new vertices lie in the straight middle of their edges
+// and faces, those on constraints with the support of an end that slides, or fixed between ends that do not.
+// To be put on the surface, and judged, by the caller.
+[[nodiscard]] Mesh subdivide_in_space(Mesh&& coarse, SubdivideReport& report);
 
 }  // namespace quarry

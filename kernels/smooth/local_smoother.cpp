@@ -3,5 +3,6 @@
 namespace quarry {
 
 template class LocalSmoother<PlaneModel>;
+template class LocalSmoother<SpaceModel>;
 
 }  // namespace quarry

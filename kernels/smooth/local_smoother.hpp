@@ -88,5 +88,6 @@ class LocalSmoother {
 };
 
 extern template class LocalSmoother<PlaneModel>;
+extern template class LocalSmoother<SpaceModel>;
 
 }  // namespace quarry

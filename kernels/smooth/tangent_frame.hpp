@@ -25,10 +25,10 @@ class TangentFrame<Vec2> {
 };
 
 template <>
-class TangentFrame<Vec3> {
+class TangentFrame<SpacePoint> {
  public:
   // normal: of length 1. The frame turns left seen from where it points to.
-  TangentFrame(Vec3 place, Vec3 normal) : place_(place) {
+  TangentFrame(const SpacePoint& point, Vec3 normal) : place_(point.place), up_(normal) {
     // The axis that is least along the normal gives the first direction without cancellation.
     const Vec3 size{std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)};
     Vec3 axis{0, 0, 1};
@@ -40,14 +40,16 @@ class TangentFrame<Vec3> {
     first_ = (1.0 / length(first)) * first;
     second_ = cross(normal, first_);
   }
-  [[nodiscard]] Vec2 relative(Vec3 p) const {
-    const Vec3 edge = p - place_;
+  [[nodiscard]] Vec2 relative(const SpacePoint& p) const {
+    const Vec3 edge = p.place - place_;
     return {dot(edge, first_), dot(edge, second_)};
   }
-  [[nodiscard]] Vec3 at(Vec2 offset) const { return place_ + offset.x * first_ + offset.y * second_; }
+  [[nodiscard]] SpacePoint at(Vec2 offset) const {
+    return {place_ + offset.x * first_ + offset.y * second_, up_};
+  }
 
  private:
-  Vec3 place_, first_, second_;
+  Vec3 place_, up_, first_, second_;
 };
 
 // The frame of a model at one of its points.
@@ -56,15 +58,18 @@ TangentFrame<typename Model::Point> frame_at(const Model& model, const typename 
   return {place, model.normal(place)};
 }
 
-// Reads and writes a vertex as a point of the model.
+// Reads and writes a vertex as a point of the model; in space, with the mesh's normals.
 template <class Point>
 Point place_of(const MeshEditor& editor, VertexId v) {
   if constexpr (std::is_same_v<Point, Vec2>)
     return editor.point(v);
   else
-    return editor.point3(v);
+    return {editor.point3(v), editor.get(editor.mesh().normals(), v)};
 }
 inline void set_place(MeshEditor& editor, VertexId v, Vec2 p) { editor.set_point(v, p); }
-inline void set_place(MeshEditor& editor, VertexId v, Vec3 p) { editor.set_point3(v, p); }
+inline void set_place(MeshEditor& editor, VertexId v, const SpacePoint& p) {
+  editor.set_point3(v, p.place);
+  editor.set(editor.mesh().normals(), v, p.up);
+}
 
 }  // namespace quarry

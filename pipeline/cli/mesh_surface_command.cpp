@@ -35,7 +35,9 @@ SurfaceOptions options_of(const MeshArguments& arguments) {
   for (const auto& [name, value] : {std::pair("--size", section.size), std::pair("--count", section.count)})
     if (value && !(*value > 0 && std::isfinite(*value)))
       throw Error(ErrorKind::kUsage, fmt::format("{} is {}: it must be above 0", name, *value));
-  if (arguments.elements != "tri") fail_not_built("--elements quad on a surface", "use --elements tri");
+  if (arguments.elements == "mixed") fail_not_built("--elements mixed on a surface", "use quad or tri");
+  options.elements = arguments.elements == "tri" ? Elements::kTriangle : Elements::kQuad;
+  options.cleanup = clean_up_level_of(arguments.cleanup.empty() ? "full" : arguments.cleanup);
   return options;
 }
 

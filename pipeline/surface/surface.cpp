@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include <fmt/format.h>
@@ -13,7 +14,6 @@
 #include "surface/feature/bind.hpp"
 #include "surface/model/surface_model.hpp"
 #include "surface/remesh/remesh.hpp"
-#include "surface/remesh/triangle_guard.hpp"
 #include "surface/repair/sheets.hpp"
 #include "surface/repair/split_joins.hpp"
 
@@ -26,8 +26,11 @@ double area_of(const TriangleSurface& surface) {
   return area;
 }
 
-// Equilateral triangles of that edge, so many on the area.
-double size_for_count(double count, double area) { return std::sqrt(4 * area / (std::sqrt(3.0) * count)); }
+// The area of an equilateral triangle, and of a square, of edge 1.
+double element_area(Elements elements) { return elements == Elements::kTriangle ? 0.25 * std::sqrt(3.0) : 1; }
+
+// Two triangles of this edge are to make four quads of edge 1.
+const double kTrianglesForQuads = std::sqrt(8 / std::sqrt(3.0));
 
 class SurfaceJob {
  public:
@@ -41,11 +44,11 @@ class SurfaceJob {
     RepairedSurface repaired = repair_surface(std::move(surface), options_.repair);
     find_size(repaired.surface);
     RemeshOptions remesh;
-    remesh.edge = result_.size;
+    remesh.edge = result_.size * (makes_quads() ? kTrianglesForQuads : 1);
     split_joins(repaired, remesh.longest * remesh.edge);
     clock_.start("finding features");
     FeatureOptions features = options_.features;
-    features.size = result_.size;
+    features.size = remesh.edge;
     const FeatureEdges found = find_feature_edges(repaired, features);
     const CurveNetwork network = make_curve_network(repaired.surface, found.edges, features);
     count(found, network);
@@ -55,7 +58,14 @@ class SurfaceJob {
     const SurfaceModel model(mesh, tags);
     clock_.start("remeshing");
     result_.remesh = remesh_surface(mesh, model, network, remesh, progress_);
+    if (makes_quads()) {
+      clock_.start("making quads");
+      SurfaceQuadOptions quads;
+      quads.cleanup = options_.cleanup;
+      mesh = make_surface_quads(std::move(mesh), model, network, quads, result_.quads, progress_);
+    }
     clock_.start("finishing");
+    set_regions(repaired.surface, model);
     finish(network);
     result_.repaired = std::move(repaired.surface);
     result_.repair = std::move(repaired.report);
@@ -68,8 +78,9 @@ class SurfaceJob {
   void find_size(const TriangleSurface& surface) {
     const double area = area_of(surface);
     if (!(area > 0)) throw Error(ErrorKind::kGeometry, "the surface has no area");
-    result_.size = options_.size ? *options_.size : size_for_count(*options_.count, area);
-    const double elements = 4 * area / (std::sqrt(3.0) * result_.size * result_.size);
+    result_.size = options_.size ? *options_.size
+                                 : std::sqrt(area / (element_area(options_.elements) * *options_.count));
+    const double elements = area / (element_area(options_.elements) * result_.size * result_.size);
     if (elements > options_.max_elements)
       throw Error(ErrorKind::kBudget,
                   fmt::format("about {:.3g} elements are to be expected, more than --max-elements "
@@ -90,13 +101,41 @@ class SurfaceJob {
     }
   }
 
-  // Regions, edge entities and points that sheets share, in the place of what the kernels work with.
+  [[nodiscard]] bool makes_quads() const { return options_.elements != Elements::kTriangle; }
+
+  // Each part between features has the group that most of its faces lie on.
+  void set_regions(const TriangleSurface& surface, const SurfaceModel& model) {
+    Mesh& mesh = result_.mesh;
+    const ConstraintTags tags = ConstraintTags::of(mesh);
+    auto region = mesh.add_tag<FaceId, std::int32_t>("region", -1);
+    std::vector<FaceId> part;
+    for (const FaceId first : mesh.faces()) {
+      if (!mesh.alive(first) || region[first] >= 0) continue;
+      part.assign(1, first);
+      region[first] = 0;
+      std::map<std::int32_t, std::size_t> votes;
+      for (std::size_t i = 0; i < part.size(); ++i) {
+        const Vec3 middle =
+            0.5 * (mesh.point3(mesh.corner(part[i], 0)) + mesh.point3(mesh.corner(part[i], 2)));
+        ++votes[surface.groups[model.nearest_triangle({middle, Vec3()}).value()]];
+        for (int k = 0; k < mesh.corner_count(part[i]); ++k) {
+          const SideId s(part[i], k);
+          const SideId t = mesh.neighbour(s);
+          if (tags.constrained(s) || !t.valid() || region[t.face()] >= 0) continue;
+          region[t.face()] = 0;
+          part.push_back(t.face());
+        }
+      }
+      const auto most = std::max_element(votes.begin(), votes.end(),
+                                         [](const auto& a, const auto& b) { return a.second < b.second; });
+      for (const FaceId f : part) region[f] = most->first;
+    }
+  }
+
+  // Edge entities and points that sheets share, in the place of what the kernels work with.
   void finish(const CurveNetwork& network) {
     Mesh& mesh = result_.mesh;
     const ConstraintTags tags = ConstraintTags::of(mesh);
-    auto region = mesh.add_tag<FaceId, std::int32_t>("region");
-    const auto group = mesh.find_tag<FaceId, std::int32_t>(kSurfaceGroupTag);
-    for (const FaceId f : mesh.faces()) region[f] = group[f];
     auto constraint = mesh.add_tag<EdgeId, std::int32_t>("constraint", -1);
     auto kind = mesh.add_tag<EdgeId, std::int32_t>("kind", kInteriorConstraint);
     for (const FaceId f : mesh.faces()) {
@@ -116,9 +155,11 @@ class SurfaceJob {
     auto pinch = mesh.add_tag<VertexId, std::uint8_t>(kPinchTag);
     for (const VertexId v : mesh.vertices())
       if (mesh.alive(v)) pinch[v] = tags.support[v].is_fixed() ? 1 : 0;
-    mesh.remove_tag<FaceId>(kSurfaceGroupTag);
-    mesh.remove_tag<VertexId>(kSurfacePointTag);
-    mesh.remove_tag<VertexId>(kSurfaceNormalTag);
+    if (!makes_quads()) {
+      mesh.remove_tag<FaceId>(kSurfaceGroupTag);
+      mesh.remove_tag<VertexId>(kSurfacePointTag);
+    }
+    mesh.remove_normals();
     mesh.remove_tag<VertexId>("support");
     mesh.remove_tag<FaceId>("constrained_sides");
     compact(mesh, EntityOrder::kHilbert);

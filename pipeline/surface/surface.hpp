@@ -13,6 +13,7 @@
 #include "pipeline/section/options.hpp"
 #include "pipeline/section/stages.hpp"
 #include "surface/feature/options.hpp"
+#include "surface/quads/quads.hpp"
 #include "surface/remesh/options.hpp"
 #include "surface/repair/repair.hpp"
 
@@ -24,7 +25,8 @@ struct SurfaceOptions {
   std::optional<double> size;
   std::optional<double> count;
   double max_elements = 2e8;
-  Elements elements = Elements::kTriangle;
+  Elements elements = Elements::kQuad;  // or kTriangle
+  CleanUpLevel cleanup = CleanUpLevel::kFull;
   RepairOptions repair;
   FeatureOptions features;  // its size is set by the job
 };
@@ -46,6 +48,7 @@ struct SurfaceResult {
   FeatureCounts features;
   double size = 0;  // as used
   RemeshReport remesh;
+  SurfaceQuadReport quads;
   std::vector<std::string> notes;  // one line each: what the user should know
   std::vector<StageTime> times;
 };

@@ -41,7 +41,7 @@ std::string places_of(const RepairCount& count) {
 
 std::vector<ReportItem> resolved_options(const SurfaceOptions& options, const SurfaceResult& result) {
   return {{"size", result.size},
-          {"elements", std::string("tri")},
+          {"elements", std::string(options.elements == Elements::kTriangle ? "tri" : "quad")},
           {"sharp", result.features.sharp_degrees},
           {"weld", options.repair.weld},
           {"fill-holes", std::int64_t{options.repair.fill_holes}}};

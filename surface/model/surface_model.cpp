@@ -26,23 +26,25 @@ TriangleTree tree_of(const Mesh& mesh) {
 SurfaceModel::SurfaceModel(const Mesh& triangles, const ConstraintTags& tags)
     : tree_(tree_of(triangles)), normals_(corner_normals(triangles, tags)) {}
 
-SurfaceModel::Foot SurfaceModel::foot(const Vec3& p) const { return foot_of(tree_.closest(p)); }
-
-SurfaceModel::Foot SurfaceModel::foot(const Vec3& p, const Vec3& towards, TriangleId near) const {
+SurfacePoint SurfaceModel::nearest(const SpacePoint& p) const {
+  const double size = length(p.up);
+  if (!(size > 0)) return tree_.closest(p.place);
   ClosestQuery query;
-  query.start = near;
-  query.normal = towards;
+  query.normal = (1 / size) * p.up;
   query.least_cosine = kSameSide;
-  const SurfacePoint nearest = tree_.closest(p, query);
-  return nearest.triangle.valid() ? foot_of(nearest) : foot(p);
+  const SurfacePoint found = tree_.closest(p.place, query);
+  return found.triangle.valid() ? found : tree_.closest(p.place);
 }
 
-SurfaceModel::Foot SurfaceModel::foot_of(const SurfacePoint& nearest) const {
-  const CornerNormals& normals = normals_[nearest.triangle.value()];
-  const CornerWeights& w = nearest.weights;
+SpacePoint SurfaceModel::project(const SpacePoint& p) const {
+  const SurfacePoint found = nearest(p);
+  const CornerNormals& normals = normals_[found.triangle.value()];
+  const CornerWeights& w = found.weights;
   const Vec3 sum = w[0] * normals[0] + w[1] * normals[1] + w[2] * normals[2];
   const double size = length(sum);
-  return {nearest.position, size > 0 ? (1 / size) * sum : normals[0], nearest.triangle};
+  return {found.position, size > 0 ? (1 / size) * sum : normals[0]};
 }
+
+TriangleId SurfaceModel::nearest_triangle(const SpacePoint& p) const { return nearest(p).triangle; }
 
 }  // namespace quarry

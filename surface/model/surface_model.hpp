@@ -10,37 +10,22 @@
 
 namespace quarry {
 
-class SurfaceModel {
+class SurfaceModel : public SpaceModel {
  public:
-  using Point = Vec3;
-
   // triangles: as make_sheets and bind_features leave them; not kept.
   SurfaceModel(const Mesh& triangles, const ConstraintTags& tags);
 
-  // The nearest point of the surface, with the normal there (of length 1) and the triangle.
-  struct Foot {
-    Vec3 point, normal;
-    TriangleId triangle;
-  };
-  [[nodiscard]] Foot foot(const Vec3& p) const;
-  // The same of the part of the surface whose triangles turn less than 80 degrees from a direction; any if
-  // there is none. near: a triangle that is thought to be close, which saves time and changes nothing.
-  [[nodiscard]] Foot foot(const Vec3& p, const Vec3& towards, TriangleId near = {}) const;
-
-  [[nodiscard]] Vec3 project(const Vec3& p) const { return foot(p).point; }
-  [[nodiscard]] Vec3 normal(const Vec3& p) const { return foot(p).normal; }
-  // By the normal in the middle of the three: corners on a sharp edge have no normal of their own.
-  [[nodiscard]] double orientation(const Vec3& a, const Vec3& b, const Vec3& c) const {
-    return dot(cross(b - a, c - a), normal((1.0 / 3) * (a + b + c)));
-  }
+  // The nearest point of the part of the surface whose triangles turn less than 80 degrees from p.up; of all
+  // of it if there is none, or no direction is given (zero).
+  [[nodiscard]] SpacePoint project(const SpacePoint& p) const override;
+  // The triangle in which project() finds its point.
+  [[nodiscard]] TriangleId nearest_triangle(const SpacePoint& p) const;
 
  private:
-  [[nodiscard]] Foot foot_of(const SurfacePoint& nearest) const;
+  [[nodiscard]] SurfacePoint nearest(const SpacePoint& p) const;
 
   TriangleTree tree_;
   std::vector<CornerNormals> normals_;
 };
-
-static_assert(GeometryModel<SurfaceModel>);
 
 }  // namespace quarry

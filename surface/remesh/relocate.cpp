@@ -85,10 +85,10 @@ class RelocateMover {
     const Vec3 normal = state_->normals[v];
     step = step - dot(step, normal) * normal;
     for (int attempt = 0; attempt < 2 && !is_small(step); ++attempt, step = 0.5 * step) {
-      const SurfaceModel::Foot foot = state_->model.foot(place_ + step, normal);
-      if (length(foot.point - (place_ + step)) > kSheetJump * length(step)) continue;
-      if (!fits(foot.point, foot.normal)) continue;
-      put(mesh, v, foot.point, foot.normal);
+      const SpacePoint foot = state_->model.project({place_ + step, normal});
+      if (length(foot.place - (place_ + step)) > kSheetJump * length(step)) continue;
+      if (!fits(foot.place, foot.up)) continue;
+      put(mesh, v, foot.place, foot.up);
       return true;
     }
     return false;

@@ -27,9 +27,7 @@ void set_normals(RemeshState& state) {
     if (!state.mesh.alive(v) || !state.tags.support[v].is_free()) return;
     Vec3 sum;
     for_each_side_around(state.mesh, v, [&](SideId s) { sum = sum + state.normal_of(s.face()); });
-    const double size = length(sum);
-    const Vec3 p = state.point(v);
-    state.normals[v] = (size > 0 ? state.model.foot(p, (1 / size) * sum) : state.model.foot(p)).normal;
+    state.normals[v] = state.model.project({state.point(v), sum}).up;
   });
 }
 
@@ -61,7 +59,7 @@ RemeshReport remesh_surface(Mesh& mesh, const SurfaceModel& model, const CurveNe
                     network,
                     options,
                     ConstraintTags::of(mesh),
-                    mesh.add_tag<VertexId, Vec3>(kSurfaceNormalTag),
+                    mesh.add_normals(),
                     mesh.find_tag<FaceId, std::int32_t>(kSurfaceGroupTag)};
   set_normals(state);
   const double wanted_faces = area_of(state) / (0.25 * std::sqrt(3.0) * options.edge * options.edge);

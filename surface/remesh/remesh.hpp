@@ -14,8 +14,9 @@
 namespace quarry {
 
 // mesh: triangles on the surface with ConstraintTags, as make_sheets and bind_features leave them. Vertices
-// that are fixed keep their bits. Compact afterwards, in Hilbert order, with kSurfaceNormalTag. The same on
-// any number of threads.
+// that are fixed keep their bits. Compact afterwards, in Hilbert order, with the normals of the surface at
+// free vertices, and none (zero) at those on features, which may have several. The same on any number of
+// threads.
 RemeshReport remesh_surface(Mesh& mesh, const SurfaceModel& model, const CurveNetwork& network,
                             const RemeshOptions& options, const Progress& progress);
 

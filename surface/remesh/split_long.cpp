@@ -66,10 +66,8 @@ class SplitLong {
       return {fits(s, place) ? place : middle, Vec3(), curve.valid() ? Support::on(curve) : Support::fixed()};
     }
     const Vec3 around = state_.normal_of(s.face()) + state_.normal_of(mesh.neighbour(s).face());
-    const double size = length(around);
-    const SurfaceModel::Foot foot =
-        size > 0 ? state_.model.foot(middle, (1 / size) * around) : state_.model.foot(middle);
-    return {fits(s, foot.point) ? foot.point : middle, foot.normal, Support()};
+    const SpacePoint foot = state_.model.project({middle, around});
+    return {fits(s, foot.place) ? foot.place : middle, foot.up, Support()};
   }
 
   // The parts of each triangle at the edge have areas and face as it does.

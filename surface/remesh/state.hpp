@@ -27,7 +27,7 @@ struct RemeshState {
   const CurveNetwork& network;
   RemeshOptions options;  // the edge changes from round to round, until the number of triangles is right
   ConstraintTags tags;
-  Tag<VertexId, Vec3> normals;  // kSurfaceNormalTag
+  Tag<VertexId, Vec3> normals;  // at free vertices; zero on features
   Tag<FaceId, std::int32_t> groups;
 
   [[nodiscard]] TriangleGuard guard() const { return {normals, options.least_turn_cosine}; }

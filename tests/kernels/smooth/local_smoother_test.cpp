@@ -179,15 +179,17 @@ TEST(LocalSmoother, ForgetsWhatItDidBefore) {
 }
 
 // The sphere around the origin.
-struct SphereModel {
-  using Point = Vec3;
-  double radius = 1;
+class SphereModel : public SpaceModel {
+ public:
+  explicit SphereModel(double radius) : radius_(radius) {}
 
-  [[nodiscard]] Vec3 project(const Vec3& p) const { return (radius / length(p)) * p; }
-  [[nodiscard]] Vec3 normal(const Vec3& p) const { return (1 / length(p)) * p; }
-  [[nodiscard]] double orientation(const Vec3& a, const Vec3& b, const Vec3& c) const {
-    return dot(cross(b - a, c - a), a);
+  [[nodiscard]] SpacePoint project(const SpacePoint& p) const override {
+    const Vec3 up = (1 / length(p.place)) * p.place;
+    return {radius_ * up, up};
   }
+
+ private:
+  double radius_;
 };
 
 // A block bent over a sphere: a sixth of it, with shaken vertices.
@@ -196,21 +198,24 @@ Mesh shaken_cap(const Block& block, const SphereModel& sphere, double shake, std
   std::vector<double> x, y, z;
   for (const VertexId v : flat.vertices()) {
     const Vec2 p = flat.point(v);
-    const Vec3 q = sphere.project({2 * p.x / block.columns - 1, 2 * p.y / block.rows - 1, 1});
+    const Vec3 q = sphere.project({{2 * p.x / block.columns - 1, 2 * p.y / block.rows - 1, 1}, {}}).place;
     x.push_back(q.x);
     y.push_back(q.y);
     z.push_back(q.z);
   }
-  return build_mesh(std::move(x), std::move(y), std::move(z), block_faces(block));
+  Mesh mesh = build_mesh(std::move(x), std::move(y), std::move(z), block_faces(block));
+  auto normals = mesh.add_normals();
+  for (const VertexId v : mesh.vertices()) normals[v] = sphere.project({mesh.point3(v), {}}).up;
+  return mesh;
 }
 
 TEST(LocalSmoother, UntanglesPatchesOfASphereAndKeepsTheirVerticesOnIt) {
-  const SphereModel sphere{10};
+  const SphereModel sphere(10);
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     const Block block{.columns = 12, .rows = 10, .origin = {0, 0}};
     Mesh mesh = shaken_cap(block, sphere, 1.2, seed);
-    LocalSmoother<SphereModel> smoother(sphere);
+    LocalSmoother<SpaceModel> smoother(sphere);
     MeshEditor editor(mesh);
     EXPECT_GT(smoother.run(editor, inner_vertices(block), {.sweeps = 20}), 0.4);
     for (const VertexId v : mesh.vertices()) EXPECT_NEAR(length(mesh.point3(v)), 10, 1e-12);

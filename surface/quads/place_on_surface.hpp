@@ -1,0 +1,21 @@
+// Puts the vertices of a mesh where the surface is.
+#pragma once
+
+#include "engine/mesh/constraint.hpp"
+#include "engine/mesh/mesh.hpp"
+#include "surface/feature/curve_network.hpp"
+#include "surface/model/surface_model.hpp"
+
+namespace quarry {
+
+// Free vertices go to the surface, those bound to a feature to its curve; those that subdivide_in_space left
+// fixed in the middle of a feature between two nodes are bound to it first. Gives the mesh its normals
+// (Mesh::add_normals): those of the surface at free vertices.
+void place_on_surface(Mesh& mesh, const ConstraintTags& tags, const SurfaceModel& model,
+                      const CurveNetwork& network);
+
+// The normals at vertices that are on features or rims: the mean of those of the faces around, each vertex of
+// a mesh that is cut open along its features having those of one side only.
+void set_feature_normals(Mesh& cut_open, const ConstraintTags& tags);
+
+}  // namespace quarry

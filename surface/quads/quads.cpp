@@ -1,0 +1,129 @@
+#include "surface/quads/quads.hpp"
+
+#include <utility>
+
+#include "engine/base/stopwatch.hpp"
+#include "engine/mesh/compact.hpp"
+#include "engine/mesh/sectors.hpp"
+#include "engine/parallel/parallel.hpp"
+#include "kernels/cleanup/ideal.hpp"
+#include "kernels/cleanup/local.hpp"
+#include "kernels/cleanup/patch_memory.hpp"
+#include "kernels/cleanup/patch_remesh.hpp"
+#include "kernels/cluster/merge.hpp"
+#include "kernels/smooth/local_smoother.hpp"
+#include "surface/quads/place_on_surface.hpp"
+
+namespace quarry {
+namespace {
+
+class SurfaceQuads {
+ public:
+  SurfaceQuads(Mesh&& triangles, const SurfaceModel& model, const CurveNetwork& network,
+               const SurfaceQuadOptions& options, SurfaceQuadReport& report, const Progress& progress)
+      : mesh_(std::move(triangles)),
+        model_(model),
+        network_(network),
+        options_(options),
+        report_(report),
+        progress_(progress) {}
+
+  Mesh run() {
+    timed(report_.pairing_seconds, [&] { make_quads(); });
+    smooth(options_.first_sweeps);
+    if (options_.cleanup != CleanUpLevel::kNone) clean_up();
+    smooth(options_.last_sweeps);
+    return std::move(mesh_);
+  }
+
+ private:
+  template <class Work>
+  void timed(double& seconds, const Work& work) {
+    const Stopwatch watch;
+    work();
+    seconds += watch.seconds();
+  }
+
+  void make_quads() {
+    progress_.report("pairing", 0);
+    const Pairing pairing =
+        pair_triangles(mesh_, ConstraintTags::of(mesh_), options_.pairing, report_.pairing, progress_);
+    mesh_ = subdivide_in_space(merge_pairs(std::move(mesh_), pairing), report_.subdivide);
+    place_on_surface(mesh_, ConstraintTags::of(mesh_), model_, network_);
+    compact(mesh_, EntityOrder::kHilbert);
+  }
+
+  void clean_up() {
+    progress_.report("clean-up", 0);
+    timed(report_.local_seconds, [&] {
+      open();
+      report_.local = clean_up_locally(mesh_, space(), options_.local, progress_);
+      close();
+    });
+    if (options_.cleanup == CleanUpLevel::kLocal) return;
+    smooth(options_.sweeps_between);
+    const auto classes = patch_classes(options_.patches.largest, options_.cleanup == CleanUpLevel::kFewest,
+                                       mesh_.count_alive_faces());
+    PatchOptions patches = options_.patches;
+    patches.wanted_faces = mesh_.count_alive_faces();
+    PatchMemory memory;
+    for (std::size_t i = 0; i < classes.size(); ++i) {
+      progress_.report("clean-up", static_cast<double>(i + 1) / static_cast<double>(classes.size() + 1));
+      patches.largest = classes[i];
+      timed(report_.patch_seconds, [&] {
+        open();
+        report_.patches.push_back(remesh_patches(mesh_, space(), patches, memory, progress_));
+        close();
+      });
+      smooth(options_.sweeps_between);
+    }
+    mesh_.remove_tag<FaceId>(kSignatureTag);
+  }
+
+  void open() {
+    cut_open(mesh_, ConstraintTags::of(mesh_));
+    set_feature_normals(mesh_, ConstraintTags::of(mesh_));
+    set_ideal_faces(mesh_, space());
+  }
+
+  // Every operation leaves tombstones, and its new entities at the end.
+  void close() {
+    sew(mesh_, ConstraintTags::of(mesh_));
+    mesh_.remove_tag<VertexId>(kIdealTag);
+    compact(mesh_, EntityOrder::kHilbert);
+  }
+
+  // All free vertices; those on features stay.
+  void smooth(int sweeps) {
+    timed(report_.smoothing_seconds, [&] {
+      const ConstraintTags tags = ConstraintTags::of(mesh_);
+      set_feature_normals(mesh_, tags);
+      std::vector<VertexId> movable;
+      for (const VertexId v : mesh_.vertices())
+        if (mesh_.alive(v) && tags.support[v].is_free()) movable.push_back(v);
+      if (movable.empty()) return;
+      LocalSmoother<SpaceModel> smoother(model_);
+      MeshEditor editor(mesh_);
+      smoother.run(editor, movable, {.untangling_sweeps = 12, .sweeps = sweeps});
+    });
+  }
+
+  [[nodiscard]] const SpaceModel& space() const { return model_; }
+
+  Mesh mesh_;
+  const SurfaceModel& model_;
+  const CurveNetwork& network_;
+  const SurfaceQuadOptions& options_;
+  SurfaceQuadReport& report_;
+  const Progress& progress_;
+};
+
+}  // namespace
+
+Mesh make_surface_quads(Mesh&& triangles, const SurfaceModel& model, const CurveNetwork& network,
+                        const SurfaceQuadOptions& options, SurfaceQuadReport& report,
+                        const Progress& progress) {
+  return SurfaceQuads(std::move(triangles), model, network, options, report, progress).run();
+}
+
+}  // namespace quarry

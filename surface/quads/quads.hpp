@@ -1,0 +1,42 @@
+// From triangles on a surface to a quad mesh of it: pairs, halved edges, and the clean-up and one-defect
+// patches of the plane (kernels/cleanup), which know the surface as a SpaceModel. Features and rims stay
+// chains of edges.
+#pragma once
+
+#include <vector>
+
+#include "engine/base/progress.hpp"
+#include "engine/mesh/mesh.hpp"
+#include "kernels/cleanup/clean_up.hpp"
+#include "kernels/cluster/pairing.hpp"
+#include "kernels/cluster/subdivide.hpp"
+#include "surface/feature/curve_network.hpp"
+#include "surface/model/surface_model.hpp"
+
+namespace quarry {
+
+struct SurfaceQuadOptions {
+  PairingOptions pairing;
+  CleanUpLevel cleanup = CleanUpLevel::kFull;
+  LocalCleanupOptions local;
+  PatchOptions patches;
+  // Sweeps over the whole mesh: after halving, between the steps of clean-up, and at the end.
+  int first_sweeps = 5, sweeps_between = 2, last_sweeps = 10;
+};
+
+struct SurfaceQuadReport {
+  PairingReport pairing;
+  SubdivideReport subdivide;
+  LocalCleanupReport local;
+  std::vector<PatchReport> patches;  // one a size class
+  double pairing_seconds = 0, smoothing_seconds = 0, local_seconds = 0, patch_seconds = 0;
+};
+
+// triangles: as remesh_surface leaves them, about two wanted edges long; consumed. The quads have edges half
+// as long. The result has ConstraintTags and the normals of the surface, and no tombstones. The same on any
+// number of threads.
+[[nodiscard]] Mesh make_surface_quads(Mesh&& triangles, const SurfaceModel& model,
+                                      const CurveNetwork& network, const SurfaceQuadOptions& options,
+                                      SurfaceQuadReport& report, const Progress& progress);
+
+}  // namespace quarry
