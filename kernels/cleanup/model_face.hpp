@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <type_traits>
 
 #include "engine/geometry/model.hpp"
 #include "engine/mesh/mesh.hpp"
+#include "kernels/quality/space_face.hpp"
 
 namespace quarry {
 
@@ -48,6 +50,8 @@ template <GeometryModel Model>
   const int count = mesh.corner_count(f);
   Point corners[4];
   for (int i = 0; i < count; ++i) corners[i] = point_of<Point>(mesh, mesh.corner(f, i));
+  if constexpr (std::is_same_v<Point, SpacePoint>)
+    return scaled_jacobian_in_space(std::span(corners).first(static_cast<std::size_t>(count)));
   double smallest = 1;
   for (int i = 0; i < count; ++i)
     smallest = std::min(smallest, signed_corner_sine(model, corners[(i + count - 1) % count], corners[i],

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "engine/geometry/model.hpp"
@@ -49,6 +50,7 @@ class LocalSmoother {
   };
   using FaceNumbers = std::array<std::uint32_t, 4>;  // vertex, next, opposite, previous
   static constexpr std::uint32_t kNone = 0xffffffffU;
+  static constexpr bool kInSpace = std::is_same_v<Point, SpacePoint>;
 
   void gather(const MeshEditor& editor, std::span<const VertexId> movable);
   void gather_star(const MeshEditor& editor, VertexId v, std::uint32_t number);
@@ -57,6 +59,7 @@ class LocalSmoother {
   [[nodiscard]] bool valid(const FaceNumbers& face) const;
   [[nodiscard]] bool all_valid() const;
   [[nodiscard]] double quality(const FaceNumbers& face) const;
+  [[nodiscard]] double quality_in_space(const FaceNumbers& face, const Point& first) const;
   // One visit to every vertex; how many of them moved. regularisation: eps as a
   // share of the wanted area, 0 once untangled.
   std::size_t sweep(double regularisation);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cassert>
 #include <cmath>
@@ -10,6 +11,7 @@
 
 #include "engine/parallel/parallel.hpp"
 #include "kernels/quality/element.hpp"
+#include "kernels/quality/space_face.hpp"
 #include "kernels/smooth/local_smoother.hpp"
 
 namespace quarry {
@@ -29,6 +31,8 @@ inline constexpr int kAttempts = 5;
 inline constexpr double kFirstRegularisation = 0.3;
 inline constexpr double kShrinkage = 0.6;
 inline constexpr double kLastRegularisation = 1e-2;
+// In space no face may become worse that is worse than this.
+inline constexpr double kContentInSpace = 0.3;
 // Where a corner has a smaller sine than this, eps is this share of the squared edges once untangled, too.
 inline constexpr double kFlat = 0.15;
 
@@ -152,6 +156,7 @@ bool LocalSmoother<Model>::valid(const FaceNumbers& face) const {
   const std::size_t corners = face[2] == kNone ? 3 : 4;
   std::array<std::uint32_t, 4> ring = face;
   if (corners == 3) ring[2] = face[3];
+  if constexpr (kInSpace) return quality_in_space(face, points_[face[0]]) > 0;
   for (std::size_t k = 0; k < corners; ++k)
     if (!(model_->orientation(points_[ring[k]], points_[ring[(k + 1) % corners]],
                               points_[ring[(k + 2) % corners]]) > 0))
@@ -166,6 +171,7 @@ bool LocalSmoother<Model>::all_valid() const {
 
 template <GeometryModel Model>
 double LocalSmoother<Model>::quality(const FaceNumbers& face) const {
+  if constexpr (kInSpace) return quality_in_space(face, points_[face[0]]);
   const std::size_t corners = face[2] == kNone ? 3 : 4;
   std::array<std::uint32_t, 4> ring = face;
   if (corners == 3) ring[2] = face[3];
@@ -244,9 +250,32 @@ bool LocalSmoother<Model>::move(std::uint32_t i, double regularisation, ShapeSta
   return false;
 }
 
+// With the first corner at a place of its own.
+template <GeometryModel Model>
+double LocalSmoother<Model>::quality_in_space(const FaceNumbers& face, const Point& first) const {
+  if constexpr (kInSpace) {
+    if (face[2] == kNone)
+      return scaled_jacobian_in_space(std::array{first, points_[face[1]], points_[face[3]]});
+    return scaled_jacobian_in_space(std::array{first, points_[face[1]], points_[face[2]], points_[face[3]]});
+  } else {
+    return 0;
+  }
+}
+
 template <GeometryModel Model>
 bool LocalSmoother<Model>::keeps_valid(std::uint32_t i, const Point& target) const {
   const Point& place = points_[i];
+  if constexpr (kInSpace) {
+    // The energy of the tangent plane may fall while the face in space folds.
+    bool kept = true;
+    for_each_face(i, [&](std::uint32_t next, std::uint32_t opposite, std::uint32_t previous) {
+      if (!kept) return;
+      const FaceNumbers face{i, next, opposite, previous};
+      const double after = quality_in_space(face, target);
+      kept = after >= local_smoother::kContentInSpace || after >= quality_in_space(face, place);
+    });
+    return kept;
+  }
   // The vertex is the second of a corner's three points, by turning them.
   const auto keeps = [&](const Point& before, const Point& after) {
     return model_->orientation(before, target, after) > 0 || !(model_->orientation(before, place, after) > 0);

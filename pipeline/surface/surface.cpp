@@ -29,8 +29,9 @@ double area_of(const TriangleSurface& surface) {
 // The area of an equilateral triangle, and of a square, of edge 1.
 double element_area(Elements elements) { return elements == Elements::kTriangle ? 0.25 * std::sqrt(3.0) : 1; }
 
-// Two triangles of this edge are to make four quads of edge 1.
-const double kTrianglesForQuads = std::sqrt(8 / std::sqrt(3.0));
+// Triangles of this edge are to make quads of edge 1: two that are paired make four, one that is not makes three, as
+// about one in eight does.
+const double kTrianglesForQuads = std::sqrt(2.12 * 4 / std::sqrt(3.0));
 
 class SurfaceJob {
  public:
@@ -62,6 +63,7 @@ class SurfaceJob {
       clock_.start("making quads");
       SurfaceQuadOptions quads;
       quads.cleanup = options_.cleanup;
+      quads.wanted_faces = static_cast<std::size_t>(area_of(repaired.surface) / (result_.size * result_.size));
       mesh = make_surface_quads(std::move(mesh), model, network, quads, result_.quads, progress_);
     }
     clock_.start("finishing");

@@ -22,9 +22,13 @@ ConstraintTags bind_features(Mesh& sheets, const CurveNetwork& network) {
   for (const NodeId node : IdRange<NodeId>(network.nodes.size()))
     support[network.nodes[node]] = Support::at(node);
   std::sort(edges.begin(), edges.end());
+  std::vector<std::uint32_t> fans(sheets.vertex_slots(), 0);
+  for (const VertexId v : sheets.vertices())
+    if (sheets.alive(v)) ++fans[point_of[v]];
   parallel::for_each(sheets.vertex_slots(), [&](std::size_t i) {
     const VertexId v(i);
-    tags.support[v] = support[point_of[v]];
+    const std::uint32_t point = point_of[v];
+    tags.support[v] = fans[point] > 1 && !support[point].is_node() ? Support::fixed() : support[point];
   });
   parallel::for_each(sheets.face_slots(), [&](std::size_t f) {
     for (int k = 0; k < 3; ++k) {

@@ -17,6 +17,9 @@
 namespace quarry {
 namespace {
 
+// How far patches may take the number of faces from the wanted one.
+constexpr double kCountTolerance = 0.035;
+
 class SurfaceQuads {
  public:
   SurfaceQuads(Mesh&& triangles, const SurfaceModel& model, const CurveNetwork& network,
@@ -65,7 +68,8 @@ class SurfaceQuads {
     const auto classes = patch_classes(options_.patches.largest, options_.cleanup == CleanUpLevel::kFewest,
                                        mesh_.count_alive_faces());
     PatchOptions patches = options_.patches;
-    patches.wanted_faces = mesh_.count_alive_faces();
+    patches.wanted_faces = options_.wanted_faces > 0 ? options_.wanted_faces : mesh_.count_alive_faces();
+    patches.most_growth = patches.most_shrinkage = kCountTolerance;
     PatchMemory memory;
     for (std::size_t i = 0; i < classes.size(); ++i) {
       progress_.report("clean-up", static_cast<double>(i + 1) / static_cast<double>(classes.size() + 1));

@@ -20,6 +20,8 @@ struct SurfaceQuadOptions {
   CleanUpLevel cleanup = CleanUpLevel::kFull;
   LocalCleanupOptions local;
   PatchOptions patches;
+  // How many faces there are to be; 0: as many as halving makes. Patches keep within a few per cent.
+  std::size_t wanted_faces = 0;
   // Sweeps over the whole mesh: after halving, between the steps of clean-up, and at the end.
   int first_sweeps = 5, sweeps_between = 2, last_sweeps = 10;
 };

@@ -1,0 +1,38 @@
+// The verdict on a face of a surface in space.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cmath>
+#include <span>
+
+#include "engine/geometry/space_point.hpp"
+
+namespace quarry {
+
+// The cosine of the angle by which a face may turn from the mean of the normals of the surface at its corners: 72
+// degrees. A scaled Jacobian alone does not see a face that lies upside down.
+inline constexpr double kLeastFacing = 0.3;
+
+// The smallest corner sine (of a triangle times 2 / sqrt(3)) as seen along the face's own normal, the cross product of its
+// diagonals; -1 if that turns too far from the surface, or there is none.
+[[nodiscard]] inline double scaled_jacobian_in_space(std::span<const SpacePoint> corners) {
+  constexpr double kTriangleFactor = 1.1547005383792515;
+  const std::size_t count = corners.size();
+  const Vec3 normal = count == 3 ? cross(corners[1] - corners[0], corners[2] - corners[0])
+                                 : cross(corners[2] - corners[0], corners[3] - corners[1]);
+  Vec3 up;
+  for (const SpacePoint& corner : corners) up = up + corner.up;
+  const double size = length(normal);
+  if (!(size > 0) || !(dot(normal, up) >= kLeastFacing * size * length(up))) return -1;
+  double smallest = 1;
+  for (std::size_t k = 0; k < count; ++k) {
+    const SpacePoint out = corners[(k + 1) % count] - corners[k];
+    const SpacePoint back = corners[(k + count - 1) % count] - corners[k];
+    const double lengths = std::sqrt(dot(out, out) * dot(back, back));
+    smallest = std::min(smallest, lengths > 0 ? dot(cross(out, back), normal) / (lengths * size) : -1.0);
+  }
+  return count == 3 ? std::min(1.0, kTriangleFactor * smallest) : smallest;
+}
+
+}  // namespace quarry
