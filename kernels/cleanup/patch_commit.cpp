@@ -70,6 +70,7 @@ void PatchCommit<Model>::apply(MeshEditor& editor, Item item, const Plan& /*plan
   const typename ScratchPool<Worker>::Loan worker(workers_);
   const double before = smallest_before(editor, proposal);
   const double ratio = largest_edge_ratio(editor.mesh(), proposal.faces);
+  const double longest = options_->longest_edge > 0 ? longest_edge(editor.mesh(), proposal.faces) : 0;
   const double energy = energy_of(editor.mesh(), proposal.inner) + energy_of(editor.mesh(), proposal.rim);
   save(editor, proposal, *worker);
   place(editor, proposal, ids, *worker);
@@ -77,8 +78,11 @@ void PatchCommit<Model>::apply(MeshEditor& editor, Item item, const Plan& /*plan
       worker->replacer.replace(editor, tags_, proposal.faces, worker->fresh, ids);
   const double wanted = std::min(options_->least_jacobian, before);
   const double after = smallest_after(editor, made, wanted, *worker);
-  const bool good = after > 0 && after >= wanted &&
-                    largest_edge_ratio(editor.mesh(), made) <= std::max(options_->largest_edge_ratio, ratio);
+  const bool good =
+      after > 0 && after >= wanted &&
+      largest_edge_ratio(editor.mesh(), made) <= std::max(options_->largest_edge_ratio, ratio) &&
+      (options_->longest_edge == 0 ||
+       longest_edge(editor.mesh(), made) <= std::max(options_->longest_edge, longest));
   if (good)
     for (const VertexId v : worker->vertices) stars_->update(editor.mesh(), v);
   const bool gains = good && energy_of(editor.mesh(), worker->vertices) < energy;
@@ -189,6 +193,16 @@ double PatchCommit<Model>::largest_edge_ratio(const Mesh& mesh, std::span<const 
   double largest = 1;
   for (const FaceId f : faces) largest = std::max(largest, edge_ratio<Model>(mesh, f));
   return largest;
+}
+
+template <GeometryModel Model>
+double PatchCommit<Model>::longest_edge(const Mesh& mesh, std::span<const FaceId> faces) const {
+  double longest = 0;
+  for (const FaceId f : faces)
+    for (int k = 0; k < mesh.corner_count(f); ++k)
+      longest = std::max(longest, length(mesh.point3(mesh.corner(f, (k + 1) % mesh.corner_count(f))) -
+                                         mesh.point3(mesh.corner(f, k))));
+  return longest;
 }
 
 template <GeometryModel Model>

@@ -48,6 +48,7 @@ class PatchCommit {
   [[nodiscard]] double smallest_after(MeshEditor& editor, std::span<const FaceId> made, double wanted,
                                       Worker& worker) const;
   [[nodiscard]] double largest_edge_ratio(const Mesh& mesh, std::span<const FaceId> faces) const;
+  [[nodiscard]] double longest_edge(const Mesh& mesh, std::span<const FaceId> faces) const;
   [[nodiscard]] double energy_of(const Mesh& mesh, std::span<const VertexId> vertices) const;
 
   const Model* model_;

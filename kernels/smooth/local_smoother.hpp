@@ -19,6 +19,7 @@ namespace quarry {
 struct LocalShapeOptions {
   int untangling_sweeps = 12;  // at most; they end with the first after which all faces are valid
   int sweeps = 6;              // at most; they end when nothing moves any more
+  ShapeTarget target = {};
 };
 
 // Works on a copy of the region, which each sweep reads in order, and writes the places back at the end. One
@@ -86,8 +87,8 @@ class LocalSmoother {
   std::vector<StarCorner> corners_;
   std::vector<FaceNumbers> faces_;                   // each face once
   std::vector<std::vector<std::uint32_t>> classes_;  // of large sets: no two of a class share a face
-  ShapeStar star_;
-  double area_ = 1;  // wanted, of a quad
+  ShapeStar star_;                                   // with the target of this run
+  double area_ = 1;                                  // wanted, of a quad
 };
 
 extern template class LocalSmoother<PlaneModel>;

@@ -48,6 +48,7 @@ double LocalSmoother<Model>::run(MeshEditor& editor, std::span<const VertexId> m
                                  const LocalShapeOptions& options) {
   gather(editor, movable);
   find_mean_area();
+  star_ = ShapeStar(options.target);
   if (movable.size() >= kParallel) colour();
   bool valid = all_valid();
   double regularisation = local_smoother::kFirstRegularisation;
@@ -205,7 +206,7 @@ std::size_t LocalSmoother<Model>::move_all(std::span<const std::uint32_t> member
   return parallel::reduce_ordered(
       members.size(), std::size_t{0},
       [&](std::size_t begin, std::size_t end) {
-        ShapeStar star;
+        ShapeStar star = star_;
         std::size_t moved = 0;
         for (std::size_t k = begin; k < end; ++k) moved += move(members[k], regularisation, star) ? 1 : 0;
         return moved;

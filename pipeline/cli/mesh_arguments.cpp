@@ -110,6 +110,32 @@ void add_output_options(CLI::App& command, MeshArguments& arguments) {
       ->group(group);
 }
 
+void add_surface_options(CLI::App& command, MeshArguments& arguments) {
+  const char* group = "Surfaces";
+  command
+      .add_option(
+          "--sharp", arguments.sharp,
+          "edges across which the surface turns by so many degrees are kept; auto (default): from what the "
+          "surface itself tells")
+      ->type_name("auto|DEGREES")
+      ->group(group);
+  command
+      .add_option("--weld", arguments.weld,
+                  "points this near to one another become one; default 0: equal ones")
+      ->check(CLI::NonNegativeNumber.description(""))
+      ->type_name("D")
+      ->group(group);
+  command
+      .add_option("--fill-holes", arguments.fill_holes,
+                  "holes with at most N edges are closed; default 0: none")
+      ->check(whole_number())
+      ->type_name("N")
+      ->group(group);
+  command.add_option("--repaired", arguments.repaired, "the repaired surface is written here")
+      ->type_name("FILE")
+      ->group(group);
+}
+
 double parse_degrees(const std::string& text) {
   double degrees = 0;
   const auto [stop, failure] = std::from_chars(text.data(), text.data() + text.size(), degrees);
@@ -168,6 +194,7 @@ void add_mesh_options(CLI::App& command, MeshArguments& arguments) {
       ->type_name("FILE")
       ->group("Lengths, in input units");
   add_shape_options(command, arguments);
+  add_surface_options(command, arguments);
   add_output_options(command, arguments);
   command
       .add_option("--max-elements", arguments.section.max_elements,

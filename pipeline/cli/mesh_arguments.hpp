@@ -1,6 +1,7 @@
 // The arguments of `quarry mesh`: declared, checked, and turned into the options of the section job.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,6 +26,11 @@ struct MeshArguments {
               preset = "default", size_field;
   std::optional<double> mixed_quality;
   bool keep_boundary = false;
+
+  // Of surfaces.
+  std::string sharp = "auto", repaired;
+  double weld = 0;
+  std::uint32_t fill_holes = 0;
 };
 
 // Lines in and lengths: what `quarry mesh` and `quarry clean` share.

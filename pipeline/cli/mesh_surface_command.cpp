@@ -1,12 +1,16 @@
 #include "pipeline/cli/mesh_surface_command.hpp"
 
-#include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <cstdint>
+#include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "engine/base/error.hpp"
 #include "engine/base/log.hpp"
+#include "engine/mesh/pinch.hpp"
 #include "io/mesh/mesh_format.hpp"
 #include "kernels/quality/face.hpp"
 #include "kernels/quality/summary.hpp"
@@ -18,11 +22,49 @@
 #include "pipeline/report/input_hash.hpp"
 #include "pipeline/section/section_report.hpp"
 #include "pipeline/surface/surface_report.hpp"
+#include "surface/repair/sheets.hpp"
 
 namespace quarry::cli {
 namespace {
 
+// Options that mean something for lines alone are told, not passed over.
+void refuse_options_of_lines(const MeshArguments& arguments) {
+  const SectionOptions& section = arguments.section;
+  const auto refuse = [](bool given, const char* name) {
+    if (given) throw Error(ErrorKind::kUsage, fmt::format("{} is for lines; the input is a surface", name));
+  };
+  refuse(section.snap.has_value(), "--snap");
+  refuse(section.min_edge.has_value(), "--min-edge");
+  refuse(section.tolerance.has_value(), "--tolerance");
+  refuse(!section.boundary.empty(), "--boundary");
+  refuse(!arguments.start.empty(), "--start");
+  refuse(!arguments.orient.empty(), "--orient");
+  refuse(arguments.preset != "default", "--preset");
+  refuse(section.fronts.has_value(), "--fronts");
+  refuse(arguments.keep_boundary, "--keep-boundary");
+  const auto not_built = [](bool given, const char* name) {
+    if (given) fail_not_built(fmt::format("{} on a surface", name), "leave it out");
+  };
+  not_built(arguments.elements == "mixed" || arguments.mixed_quality.has_value(), "--elements mixed");
+  not_built(arguments.method != "deferred", "--method");
+  not_built(arguments.quads != "cluster", "--quads matching");
+  not_built(!arguments.size_field.empty(), "--size-field");
+  not_built(!section.irregular_price.empty(), "--irregular-price");
+  not_built(!arguments.picture.empty(), "--picture");
+}
+
+std::optional<double> sharpness_of(const std::string& text) {
+  if (text == "auto") return std::nullopt;
+  double degrees = 0;
+  const auto [stop, failure] = std::from_chars(text.data(), text.data() + text.size(), degrees);
+  if (failure != std::errc() || stop != text.data() + text.size() || !(degrees > 0 && degrees <= 180))
+    throw Error(ErrorKind::kUsage,
+                fmt::format("--sharp {}: give auto, or degrees above 0 and up to 180", text));
+  return degrees;
+}
+
 SurfaceOptions options_of(const MeshArguments& arguments) {
+  refuse_options_of_lines(arguments);
   const SectionOptions& section = arguments.section;
   SurfaceOptions options;
   options.inputs = section.inputs;
@@ -35,10 +77,25 @@ SurfaceOptions options_of(const MeshArguments& arguments) {
   for (const auto& [name, value] : {std::pair("--size", section.size), std::pair("--count", section.count)})
     if (value && !(*value > 0 && std::isfinite(*value)))
       throw Error(ErrorKind::kUsage, fmt::format("{} is {}: it must be above 0", name, *value));
-  if (arguments.elements == "mixed") fail_not_built("--elements mixed on a surface", "use quad or tri");
   options.elements = arguments.elements == "tri" ? Elements::kTriangle : Elements::kQuad;
   options.cleanup = clean_up_level_of(arguments.cleanup.empty() ? "full" : arguments.cleanup);
+  options.features.sharp_degrees = sharpness_of(arguments.sharp);
+  options.repair.weld = arguments.weld;
+  options.repair.fill_holes = arguments.fill_holes;
   return options;
+}
+
+// Points at which sheets meet are one point in the file.
+void write_repaired(const std::string& path, const SurfaceResult& result) {
+  RepairedSurface repaired;
+  repaired.surface = result.repaired;
+  Mesh mesh = make_sheets(repaired);
+  static_cast<void>(mesh.add_tag<VertexId, std::uint8_t>(kPinchTag, 1));
+  auto region = mesh.add_tag<FaceId, std::int32_t>("region");
+  for (const FaceId f : mesh.faces()) region[f] = result.repaired.groups[f.value()];
+  MeshWriteOptions options;
+  options.names = result.names;
+  write_mesh(path, mesh, options);
 }
 
 void write_mesh_file(const MeshArguments& arguments, const SurfaceOptions& surface,
@@ -74,7 +131,8 @@ bool is_surface(const std::vector<std::string>& inputs) {
 void run_mesh_surface(MeshArguments& arguments) {
   const SurfaceOptions options = options_of(arguments);
   check_writable_extension(arguments.output);
-  check_outputs({arguments.output, arguments.report, arguments.picture}, options.inputs);
+  if (!arguments.repaired.empty()) check_writable_extension(arguments.repaired);
+  check_outputs({arguments.output, arguments.report, arguments.repaired}, options.inputs);
   const std::vector<Demand> demands = parse_demands(arguments.require);
   ProgressBar bar(!arguments.common.quiet);
   const Progress progress = bar.progress();
@@ -92,6 +150,7 @@ void run_mesh_surface(MeshArguments& arguments) {
     throw;
   }
   write_mesh_file(arguments, options, result, hash);
+  if (!arguments.repaired.empty()) write_repaired(arguments.repaired, result);
   clock.stop();
   result.times.insert(result.times.end(), clock.times().begin(), clock.times().end());
   write_job_report(arguments, options, result, hash, quality);

@@ -10,6 +10,8 @@
 #include "engine/base/error.hpp"
 #include "engine/mesh/compact.hpp"
 #include "engine/mesh/pinch.hpp"
+#include "engine/parallel/parallel.hpp"
+#include "kernels/quality/face.hpp"
 #include "pipeline/surface/read_surface.hpp"
 #include "surface/feature/bind.hpp"
 #include "surface/model/surface_model.hpp"
@@ -29,8 +31,8 @@ double area_of(const TriangleSurface& surface) {
 // The area of an equilateral triangle, and of a square, of edge 1.
 double element_area(Elements elements) { return elements == Elements::kTriangle ? 0.25 * std::sqrt(3.0) : 1; }
 
-// Triangles of this edge are to make quads of edge 1: two that are paired make four, one that is not makes three, as
-// about one in eight does.
+// Triangles of this edge are to make quads of edge 1: two that are paired make four, one that is not makes
+// three, as about one in eight does.
 const double kTrianglesForQuads = std::sqrt(2.12 * 4 / std::sqrt(3.0));
 
 class SurfaceJob {
@@ -63,10 +65,13 @@ class SurfaceJob {
       clock_.start("making quads");
       SurfaceQuadOptions quads;
       quads.cleanup = options_.cleanup;
-      quads.wanted_faces = static_cast<std::size_t>(area_of(repaired.surface) / (result_.size * result_.size));
+      quads.edge = result_.size;
+      quads.wanted_faces =
+          static_cast<std::size_t>(area_of(repaired.surface) / (result_.size * result_.size));
       mesh = make_surface_quads(std::move(mesh), model, network, quads, result_.quads, progress_);
     }
     clock_.start("finishing");
+    require_valid();
     set_regions(repaired.surface, model);
     finish(network);
     result_.repaired = std::move(repaired.surface);
@@ -104,6 +109,22 @@ class SurfaceJob {
   }
 
   [[nodiscard]] bool makes_quads() const { return options_.elements != Elements::kTriangle; }
+
+  // Where a wall or a gap is thinner than the elements are long, nothing good may be left to be done.
+  void require_valid() const {
+    const Mesh& mesh = result_.mesh;
+    const auto bad = parallel::filter_indices(mesh.face_slots(), [&](std::size_t i) {
+      return mesh.alive(FaceId(i)) && !(scaled_jacobian(mesh, FaceId(i)) > 0);
+    });
+    if (bad.empty()) return;
+    const Vec3 p = mesh.point3(mesh.corner(FaceId(bad.front()), 0));
+    throw Error(
+        ErrorKind::kGeometry,
+        fmt::format(
+            "{} elements are inverted, the first at ({:.9g}, {:.9g}, {:.9g}): the surface has details or "
+            "walls smaller than the elements there; take a smaller --size",
+            bad.size(), p.x, p.y, p.z));
+  }
 
   // Each part between features has the group that most of its faces lie on.
   void set_regions(const TriangleSurface& surface, const SurfaceModel& model) {

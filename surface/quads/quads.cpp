@@ -70,6 +70,7 @@ class SurfaceQuads {
     PatchOptions patches = options_.patches;
     patches.wanted_faces = options_.wanted_faces > 0 ? options_.wanted_faces : mesh_.count_alive_faces();
     patches.most_growth = patches.most_shrinkage = kCountTolerance;
+    patches.longest_edge = options_.longest_edge * options_.edge;
     PatchMemory memory;
     for (std::size_t i = 0; i < classes.size(); ++i) {
       progress_.report("clean-up", static_cast<double>(i + 1) / static_cast<double>(classes.size() + 1));
@@ -108,7 +109,7 @@ class SurfaceQuads {
       if (movable.empty()) return;
       LocalSmoother<SpaceModel> smoother(model_);
       MeshEditor editor(mesh_);
-      smoother.run(editor, movable, {.untangling_sweeps = 12, .sweeps = sweeps});
+      smoother.run(editor, movable, {.untangling_sweeps = 12, .sweeps = sweeps, .target = options_.target});
     });
   }
 

@@ -20,10 +20,17 @@ struct SurfaceQuadOptions {
   CleanUpLevel cleanup = CleanUpLevel::kFull;
   LocalCleanupOptions local;
   PatchOptions patches;
+  // The wanted edge, in input units, and how many times as long an edge of a patch may be. At twice, twice as
+  // many irregular vertices are left; at four times fewer, but quads stretch and leave the surface. edge 0:
+  // any.
+  double edge = 0;
+  double longest_edge = 2.5;
   // How many faces there are to be; 0: as many as halving makes. Patches keep within a few per cent.
   std::size_t wanted_faces = 0;
   // Sweeps over the whole mesh: after halving, between the steps of clean-up, and at the end.
-  int first_sweeps = 5, sweeps_between = 2, last_sweeps = 10;
+  int first_sweeps = 5, sweeps_between = 2, last_sweeps = 25;
+  // More weight for the size than in patches: over a whole mesh quads would stretch.
+  ShapeTarget target{.size_weight = 0.3};
 };
 
 struct SurfaceQuadReport {

@@ -1,0 +1,122 @@
+#include "pipeline/surface/surface.hpp"
+
+#include <fstream>
+#include <set>
+#include <string>
+#include <tuple>
+
+#include <gtest/gtest.h>
+
+#include "engine/base/error.hpp"
+#include "io/mesh/mesh_format.hpp"
+#include "kernels/quality/summary.hpp"
+#include "pipeline/surface/surface_report.hpp"
+#include "tests/io/mesh/temporary_folder.hpp"
+#include "tests/support/surface_zoo.hpp"
+
+namespace quarry {
+namespace {
+
+class SurfaceJob : public testing::Test {
+ protected:
+  // The surface as a file in OBJ, each group of its own name.
+  std::string file_of(const TriangleSurface& surface, const std::string& name = "surface.obj") {
+    const std::string path = folder_.file(name);
+    std::ofstream file(path);
+    file.precision(17);
+    for (const Vec3 p : surface.points) file << "v " << p.x << " " << p.y << " " << p.z << "\n";
+    for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+      const auto& [a, b, c] = surface.triangles[t];
+      file << "g part_" << surface.groups[t] << "\nf " << a + 1 << " " << b + 1 << " " << c + 1 << "\n";
+    }
+    return path;
+  }
+
+  TemporaryFolder folder_;
+};
+
+SurfaceOptions options_for(const std::string& path, double count, Elements elements = Elements::kQuad) {
+  SurfaceOptions options;
+  options.inputs = {path};
+  options.count = count;
+  options.elements = elements;
+  return options;
+}
+
+TEST_F(SurfaceJob, MeetsTheCountWithinFivePerCent) {
+  const std::string path = file_of(test::sphere(5));
+  for (const Elements elements : {Elements::kQuad, Elements::kTriangle})
+    for (const double count : {2000.0, 10'000.0}) {
+      const SurfaceResult result = mesh_surface(options_for(path, count, elements), Progress());
+      EXPECT_NEAR(static_cast<double>(result.mesh.count_alive_faces()), count, 0.05 * count);
+    }
+}
+
+TEST_F(SurfaceJob, KeepsGroupsAsRegionsWithTheirNames) {
+  TriangleSurface flat = test::terrain(20, 20, [](double, double) { return 0.0; });
+  for (std::size_t t = 0; t < flat.triangles.size(); ++t) flat.groups[t] = t < 400 ? 1 : 2;
+  for (Vec3& p : flat.points) p.z = 0.01 * p.x * p.y;
+  const SurfaceResult result = mesh_surface(options_for(file_of(flat), 500), Progress());
+  const auto region = result.mesh.find_tag<FaceId, std::int32_t>("region");
+  std::set<std::string> names;
+  for (const FaceId f : result.mesh.faces()) {
+    const double y =
+        result.mesh.point3(result.mesh.corner(f, 0)).y + result.mesh.point3(result.mesh.corner(f, 2)).y;
+    ASSERT_TRUE(result.names.regions.contains(region[f]));
+    const std::string name = result.names.regions.at(region[f]);
+    EXPECT_EQ(name, y < 1 ? "part_1" : "part_2");
+    names.insert(name);
+  }
+  EXPECT_EQ(names.size(), 2U);
+}
+
+TEST_F(SurfaceJob, WritesPointsInWhichSheetsMeetOnce) {
+  const SurfaceResult result = mesh_surface(options_for(file_of(test::three_sheets()), 600), Progress());
+  const std::string path = folder_.file("out.obj");
+  write_mesh(path, result.mesh, {});
+  const ReadCells cells = read_cells(path);
+  std::set<std::tuple<double, double, double>> points;
+  for (std::size_t i = 0; i < cells.x.size(); ++i) points.insert({cells.x[i], cells.y[i], cells.z[i]});
+  EXPECT_EQ(points.size(), cells.x.size());
+  EXPECT_LT(points.size(), result.mesh.count_alive_vertices());
+}
+
+TEST_F(SurfaceJob, MeshesAOneSidedBand) {
+  const SurfaceResult result = mesh_surface(options_for(file_of(test::moebius(60)), 1500), Progress());
+  EXPECT_GT(result.repair.seams.count, 0U);
+  EXPECT_GT(summarize_quality(result.mesh).quads.scaled_jacobian.min, 0);
+}
+
+TEST_F(SurfaceJob, TellsInTheReportWhatWasRepaired) {
+  TriangleSurface open = test::sphere(3);
+  open.triangles.pop_back();
+  open.triangles.push_back(open.triangles.front());
+  const SurfaceOptions options = options_for(file_of(open), 800);
+  const SurfaceResult result = mesh_surface(options, Progress());
+  const JobReport report = report_surface(options, result, summarize_quality(result.mesh));
+  ASSERT_FALSE(report.notes.empty());
+  EXPECT_NE(report.notes.front().find("twice"), std::string::npos);
+  EXPECT_EQ(result.repair.holes, 1U);
+}
+
+TEST_F(SurfaceJob, RefusesWhatItCannotMeshInOneLine) {
+  SurfaceOptions many = options_for(file_of(test::cube()), 1e6);
+  many.max_elements = 1000;
+  try {
+    (void)mesh_surface(many, Progress());
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::kBudget);
+  }
+  const std::string flat =
+      file_of(test::surface_of({{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}, {{0, 1, 2}}), "flat.obj");
+  try {
+    (void)mesh_surface(options_for(flat, 100), Progress());
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::kGeometry);
+  }
+}
+
+}  // namespace
+}  // namespace quarry
