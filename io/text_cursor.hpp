@@ -1,13 +1,14 @@
 // Reads words and numbers from the text of a file; an error names the file and the line.
 #pragma once
 
-#include <charconv>
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <string>
 #include <string_view>
 #include <type_traits>
 
+#include "io/number_text.hpp"
 #include "io/text_parts.hpp"
 
 namespace quarry {
@@ -47,12 +48,10 @@ class TextCursor {
   // The rest of the line, without its end.
   std::string_view line() {
     const std::size_t begin = at_;
-    const void* found =
-        begin < text_.size() ? std::memchr(text_.data() + begin, '\n', text_.size() - begin) : nullptr;
-    const std::size_t end = found == nullptr
-                                ? text_.size()
-                                : static_cast<std::size_t>(static_cast<const char*>(found) - text_.data());
-    at_ = found == nullptr ? end : end + 1;
+    // Most lines have been read to their end.
+    std::size_t end = begin;
+    if (begin == text_.size() || text_[begin] != '\n') end = std::min(text_.find('\n', begin), text_.size());
+    at_ = std::min(end + 1, text_.size());
     return text_.substr(begin, end - begin);
   }
 
@@ -70,7 +69,7 @@ class TextCursor {
     const char* begin = text_.data() + at_;
     if (*begin == '+') ++begin;
     Number value{};
-    const auto [stop, failure] = std::from_chars(begin, end, value);
+    const auto [stop, failure] = read_number(begin, end, value);
     const bool whole = stop == end || is_space(*stop);
     if (failure != std::errc() || !(whole || *stop == tail)) fail_number(word(), what);
     at_ = static_cast<std::size_t>(stop - text_.data());
@@ -87,7 +86,7 @@ class TextCursor {
   Number parse(std::string_view digits, const char* what) {
     Number value{};
     if (!digits.empty() && digits.front() == '+') digits.remove_prefix(1);
-    const auto result = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    const auto result = read_number(digits.data(), digits.data() + digits.size(), value);
     if (result.ec != std::errc() || result.ptr != digits.data() + digits.size()) fail_number(digits, what);
     return value;
   }

@@ -171,9 +171,7 @@ class ObjReader {
       points += std::exchange(part.points, points);
       faces += std::exchange(part.faces, faces);
     }
-    cells_.x.resize(points);
-    cells_.y.resize(points);
-    cells_.z.resize(points);
+    for (auto* coordinate : {&cells_.x, &cells_.y, &cells_.z}) coordinate->resize(points);
     cells_.faces.resize(faces);
     cells_.regions.resize(faces);
   }

@@ -89,9 +89,7 @@ class OffReader {
   }
 
   void read_points(const ContentLines& lines) {
-    cells_.x.resize(points_);
-    cells_.y.resize(points_);
-    cells_.z.resize(points_);
+    for (auto* coordinate : {&cells_.x, &cells_.y, &cells_.z}) coordinate->resize(points_);
     lines.read(0, points_, [&](TextCursor& cursor, std::size_t i) {
       cells_.x[i] = cursor.coordinate();
       cells_.y[i] = cursor.coordinate();

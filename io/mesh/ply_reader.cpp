@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "engine/base/error.hpp"
 #include "io/mapped_file.hpp"
 #include "io/mesh/content_lines.hpp"
 #include "io/mesh/ply_format.hpp"
@@ -58,7 +59,7 @@ class PlyReader {
   }
 
  private:
-  // Bytes or lines of the body in one part of a loop.
+  // Rows of a binary body in one part of a loop.
   static constexpr std::size_t kRowsInPart = 16384;
 
   [[noreturn]] void fail(const std::string& message) const {
@@ -131,9 +132,7 @@ class PlyReader {
     roles_.clear();
     for (const PlyProperty& property : element.properties) roles_.push_back(role_of(element, property));
     if (element.name == "vertex") {
-      cells_.x.resize(points_);
-      cells_.y.resize(points_);
-      cells_.z.resize(points_);
+      for (auto* coordinate : {&cells_.x, &cells_.y, &cells_.z}) coordinate->resize(points_);
     } else if (element.name == "face") {
       cells_.faces.resize(element.rows);
       cells_.regions.assign(element.rows, 0);

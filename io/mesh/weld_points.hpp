@@ -7,6 +7,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <bit>
 #include <cstdint>
@@ -36,8 +37,8 @@ class PointWelder {
   std::optional<WeldedPoints> weld() {
     std::atomic<bool> full = false;
     parallel::for_each_chunk(slot_of_.size(), parallel::kChunk, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end && !full.load(std::memory_order_relaxed); ++i)
-        if (!insert(static_cast<std::uint32_t>(i))) full = true;
+      for (std::size_t i = begin; i < end && !full.load(std::memory_order_relaxed); i += kBlock)
+        if (!insert_block(i, std::min(end, i + kBlock))) full = true;
     });
     if (full) return std::nullopt;
     WeldedPoints result;
@@ -55,6 +56,7 @@ class PointWelder {
   static constexpr std::uint32_t kEmpty = 0xffffffff;
   // A run as long as this shows a table that is nearly full.
   static constexpr std::size_t kMostProbes = 64;
+  static constexpr std::size_t kBlock = 64;
 
   [[nodiscard]] std::size_t hash(Vec3 p) const {
     const auto x = std::bit_cast<std::uint64_t>(p.x);
@@ -63,10 +65,22 @@ class PointWelder {
     return mix64(x ^ std::rotl(y * 0x9e3779b97f4a7c15ULL, 21) ^ std::rotl(z * 0xd6e8feb86659fd93ULL, 42));
   }
 
+  // The slots of a block are asked for before the first is looked at: the table does not fit into a cache.
+  bool insert_block(std::size_t begin, std::size_t end) {
+    std::array<Vec3, kBlock> points;
+    std::array<std::size_t, kBlock> slots;
+    for (std::size_t i = begin; i < end; ++i) {
+      points[i - begin] = at_(i);
+      slots[i - begin] = hash(points[i - begin]) & (slots_.size() - 1);
+      __builtin_prefetch(&slots_[slots[i - begin]]);
+    }
+    for (std::size_t i = begin; i < end; ++i)
+      if (!insert(static_cast<std::uint32_t>(i), points[i - begin], slots[i - begin])) return false;
+    return true;
+  }
+
   // Puts a corner into the slot of its point, which keeps the smallest; false if it finds none.
-  bool insert(std::uint32_t corner) {
-    const Vec3 p = at_(corner);
-    std::size_t slot = hash(p) & (slots_.size() - 1);
+  bool insert(std::uint32_t corner, Vec3 p, std::size_t slot) {
     // Without a bound there are twice as many slots as corners, so that an empty one comes.
     for (std::size_t probe = 0; !bounded_ || probe < kMostProbes; ++probe) {
       std::atomic_ref<std::uint32_t> word(slots_[slot]);
@@ -104,9 +118,7 @@ template <class PointAt>
 ReadCells weld_triangles(std::size_t corners, const PointAt& point_at) {
   const WeldedPoints welded = weld_points(corners, point_at);
   ReadCells cells;
-  cells.x.resize(welded.first.size());
-  cells.y.resize(welded.first.size());
-  cells.z.resize(welded.first.size());
+  for (auto* coordinate : {&cells.x, &cells.y, &cells.z}) coordinate->resize(welded.first.size());
   parallel::for_each(welded.first.size(), [&](std::size_t k) {
     const Vec3 p = point_at(welded.first[k]);
     cells.x[k] = p.x;

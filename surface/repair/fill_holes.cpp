@@ -107,9 +107,10 @@ std::vector<FilledHole> fill_holes(const TriangleSurface& surface, std::uint32_t
     if (rim.size() > most_edges) continue;
     const PolygonFill fill(surface, rim, taken);
     if (!fill.possible()) continue;
-    FilledHole hole{std::move(rim), {}, 0};
-    fill.collect(0, hole.rim.size() - 1, hole.triangles);
-    hole.group = group_at[hole.rim.front()];
+    FilledHole hole;
+    fill.collect(0, rim.size() - 1, hole.triangles);
+    hole.group = group_at[rim.front()];
+    hole.rim = std::move(rim);
     for (const SurfaceTriangle& t : hole.triangles)
       for (std::size_t k = 0; k < 3; ++k) taken.insert(std::minmax(t[k], t[(k + 1) % 3]));
     holes.push_back(std::move(hole));

@@ -1,0 +1,15 @@
+GOCAD Model3d 1
+TSURF a
+REGION 1 u
+ -1 0
+END
+GOCAD TSurf 1
+HDR name:a
+PROPERTY_CLASS_HEADER Z {
+is_z:on
+}
+VRTX 1 0 0 0
+VRTX 2 1 0 0
+VRTX 3 0 1 0
+TRGL 1 2 3
+END
