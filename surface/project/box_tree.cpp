@@ -6,128 +6,147 @@
 
 #include "engine/base/error.hpp"
 #include "engine/parallel/loop_order.hpp"
+#include "engine/parallel/parallel.hpp"
 
 namespace quarry {
 namespace {
 
-void throw_error_of(RTCDevice device) {
-  switch (rtcGetDeviceError(device)) {
-    case RTC_ERROR_NONE:
-      return;
-    case RTC_ERROR_OUT_OF_MEMORY:
-      throw std::bad_alloc();
-    case RTC_ERROR_UNSUPPORTED_CPU:
-      throw Error(ErrorKind::kBug, "Embree: the processor lacks the instruction set that was asked for");
-    default:
-      throw Error(ErrorKind::kBug, "Embree refused to build the tree of boxes");
+using parallel::detail::LoopOrder;
+
+class Device {
+ public:
+  explicit Device(const std::string& instruction_set)
+      // Never threads=: that would limit the whole process for as long as the device lives.
+      : device_(rtcNewDevice(instruction_set.empty() ? "" : ("isa=" + instruction_set).c_str())) {
+    if (device_ == nullptr) throw_error();
+    bvh_ = rtcNewBVH(device_);
   }
-}
+  ~Device() {
+    rtcReleaseBVH(bvh_);
+    rtcReleaseDevice(device_);
+  }
+  Device(const Device&) = delete;
+  Device& operator=(const Device&) = delete;
 
-// What the callbacks of a build need. The loop is Embree's own; its order is that of any other.
-struct Build {
-  std::span<const FloatBox> boxes;
-  parallel::detail::LoopOrder order;
+  [[nodiscard]] RTCBVH bvh() const { return bvh_; }
+
+  [[noreturn]] void throw_error() const {
+    const RTCError error = rtcGetDeviceError(device_);
+    if (error == RTC_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
+    throw Error(ErrorKind::kBug, error == RTC_ERROR_UNSUPPORTED_CPU
+                                     ? "Embree: the processor lacks the instruction set that was asked for"
+                                     : "Embree refused to build the tree of boxes");
+  }
+
+ private:
+  RTCDevice device_ = nullptr;
+  RTCBVH bvh_ = nullptr;
 };
 
-void bounds_of(const RTCBoundsFunctionArguments* arguments) {
-  auto& build = *static_cast<Build*>(arguments->geometryUserPtr);
-  const parallel::detail::LoopOrder::Chunk inside(build.order);
-  const FloatBox& box = build.boxes[arguments->primID];
-  RTCBounds& bounds = *arguments->bounds_o;
-  bounds.lower_x = box.low[0];
-  bounds.lower_y = box.low[1];
-  bounds.lower_z = box.low[2];
-  bounds.upper_x = box.high[0];
-  bounds.upper_y = box.high[1];
-  bounds.upper_z = box.high[2];
-}
-
-bool visit_point(RTCPointQueryFunctionArguments* arguments) {
-  const float radius = (*static_cast<const BoxTree::Visitor*>(arguments->userPtr))(arguments->primID);
-  if (!(radius < arguments->query->radius)) return false;
-  arguments->query->radius = radius;
-  return true;
-}
-
-struct RayContext : RTCIntersectContext {
-  const BoxTree::Visitor* visit;
-};
-
-// Shortening the ray is all that tells Embree of a hit; what was hit, the visitor keeps.
-void visit_ray(const RTCIntersectFunctionNArguments* arguments) {
-  if (arguments->valid[0] == 0) return;
-  const auto& context = *static_cast<const RayContext*>(arguments->context);
-  RTCRay& ray = reinterpret_cast<RTCRayHit*>(arguments->rayhit)->ray;
-  const float length = (*context.visit)(arguments->primID);
-  if (length < ray.tfar) ray.tfar = length;
+std::vector<RTCBuildPrimitive> primitives_of(std::span<const FloatBox> boxes) {
+  std::vector<RTCBuildPrimitive> primitives(boxes.size());
+  parallel::for_each(boxes.size(), [&](std::size_t i) {
+    const auto& [low, high] = boxes[i];
+    primitives[i] = {low[0], low[1], low[2], 0, high[0], high[1], high[2], static_cast<unsigned>(i)};
+  });
+  return primitives;
 }
 
 }  // namespace
 
-struct BoxTree::Scene {
-  RTCDevice device = nullptr;
-  RTCScene scene = nullptr;
+// As Embree builds them, in its own memory: an inner node if it has children, else a block.
+struct BoxTree::BuildNode {
+  unsigned child_count = 0;
+  std::array<const BuildNode*, 4> children{};
+  std::array<RTCBounds, 4> bounds{};
+  Block block{};
+};
 
-  Scene() = default;
-  Scene(const Scene&) = delete;
-  Scene& operator=(const Scene&) = delete;
-  ~Scene() {
-    if (scene != nullptr) rtcReleaseScene(scene);
-    if (device != nullptr) rtcReleaseDevice(device);
+// Called by Embree on many threads at once; its loops have the order that any loop has.
+struct BoxTree::Callbacks {
+  static BuildNode* make(RTCThreadLocalAllocator allocator) {
+    return new (rtcThreadLocalAlloc(allocator, sizeof(BuildNode), alignof(BuildNode))) BuildNode;
+  }
+  static void* create_node(RTCThreadLocalAllocator allocator, unsigned, void* order) {
+    const LoopOrder::Chunk inside(*static_cast<LoopOrder*>(order));
+    return make(allocator);
+  }
+  static void set_children(void* node, void** children, unsigned count, void* order) {
+    const LoopOrder::Chunk inside(*static_cast<LoopOrder*>(order));
+    auto& parent = *static_cast<BuildNode*>(node);
+    parent.child_count = count;
+    for (unsigned i = 0; i < count; ++i) parent.children[i] = static_cast<const BuildNode*>(children[i]);
+  }
+  static void set_bounds(void* node, const RTCBounds** bounds, unsigned count, void* order) {
+    const LoopOrder::Chunk inside(*static_cast<LoopOrder*>(order));
+    for (unsigned i = 0; i < count; ++i) static_cast<BuildNode*>(node)->bounds[i] = *bounds[i];
+  }
+  static void* create_leaf(RTCThreadLocalAllocator allocator, const RTCBuildPrimitive* primitives,
+                           std::size_t count, void* order) {
+    const LoopOrder::Chunk inside(*static_cast<LoopOrder*>(order));
+    BuildNode* leaf = make(allocator);
+    leaf->block.fill(kNone);
+    for (std::size_t i = 0; i < count; ++i) leaf->block[i] = primitives[i].primID;
+    return leaf;
+  }
+
+  static const BuildNode* build(RTCBVH bvh, std::vector<RTCBuildPrimitive>& primitives) {
+    LoopOrder order;
+    RTCBuildArguments arguments = rtcDefaultBuildArguments();
+    arguments.maxBranchingFactor = 4;
+    arguments.maxDepth = kMostLevels;
+    arguments.maxLeafSize = kBlockSize;
+    arguments.bvh = bvh;
+    arguments.primitives = primitives.data();
+    arguments.primitiveCount = primitives.size();
+    arguments.primitiveArrayCapacity = primitives.size();
+    arguments.createNode = create_node;
+    arguments.setNodeChildren = set_children;
+    arguments.setNodeBounds = set_bounds;
+    arguments.createLeaf = create_leaf;
+    arguments.userPtr = &order;
+    return static_cast<const BuildNode*>(rtcBuildBVH(&arguments));
   }
 };
 
-BoxTree::BoxTree(std::span<const FloatBox> boxes, const std::string& instruction_set)
-    : scene_(std::make_unique<Scene>()) {
-  // Never threads=: that would limit the whole process for as long as the device lives.
-  const std::string settings = instruction_set.empty() ? "" : "isa=" + instruction_set;
-  scene_->device = rtcNewDevice(settings.c_str());
-  if (scene_->device == nullptr) throw_error_of(nullptr);
-  scene_->scene = rtcNewScene(scene_->device);
-  rtcSetSceneFlags(scene_->scene, RTC_SCENE_FLAG_ROBUST);
-  rtcSetSceneBuildQuality(scene_->scene, RTC_BUILD_QUALITY_HIGH);
-  const RTCGeometry geometry = rtcNewGeometry(scene_->device, RTC_GEOMETRY_TYPE_USER);
-  Build build{boxes, {}};
-  rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(boxes.size()));
-  rtcSetGeometryUserData(geometry, &build);
-  rtcSetGeometryBoundsFunction(geometry, bounds_of, nullptr);
-  rtcSetGeometryIntersectFunction(geometry, visit_ray);
-  rtcCommitGeometry(geometry);
-  rtcAttachGeometry(scene_->scene, geometry);
-  rtcReleaseGeometry(geometry);
-  rtcCommitScene(scene_->scene);
-  rtcSetGeometryUserData(geometry, nullptr);  // the build is over
-  throw_error_of(scene_->device);
+BoxTree::BoxTree(std::span<const FloatBox> boxes, const std::string& instruction_set) {
+  // The first block is empty: what a node without four children has in their place.
+  blocks_.emplace_back().fill(kNone);
+  if (boxes.empty()) return;
+  const Device device(instruction_set);
+  std::vector<RTCBuildPrimitive> primitives = primitives_of(boxes);
+  const BuildNode* root = Callbacks::build(device.bvh(), primitives);
+  if (root == nullptr) device.throw_error();
+  root_ = flatten(*root, 0);
 }
 
-BoxTree::~BoxTree() = default;
-BoxTree::BoxTree(BoxTree&&) noexcept = default;
-BoxTree& BoxTree::operator=(BoxTree&&) noexcept = default;
-
-void BoxTree::near(const FloatPoint& point, float radius, const Visitor& visit) const {
-  RTCPointQuery query{point[0], point[1], point[2], 0, radius};
-  RTCPointQueryContext context;
-  rtcInitPointQueryContext(&context);
-  rtcPointQuery(scene_->scene, &query, &context, visit_point, const_cast<Visitor*>(&visit));
-}
-
-void BoxTree::along(const FloatPoint& origin, const FloatPoint& direction, float length,
-                    const Visitor& visit) const {
-  RayContext context;
-  rtcInitIntersectContext(&context);
-  context.visit = &visit;
-  RTCRayHit ray{};
-  ray.ray.org_x = origin[0];
-  ray.ray.org_y = origin[1];
-  ray.ray.org_z = origin[2];
-  ray.ray.dir_x = direction[0];
-  ray.ray.dir_y = direction[1];
-  ray.ray.dir_z = direction[2];
-  ray.ray.tnear = 0;
-  ray.ray.tfar = length;
-  ray.ray.mask = ~0U;
-  ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  rtcIntersect1(scene_->scene, &context, &ray);
+// Depth first: as deep as the tree, which Embree bounds.
+std::uint32_t BoxTree::flatten(const BuildNode& node, int level) {
+  if (level > kMostLevels) throw Error(ErrorKind::kBug, "Embree built a tree of boxes that is too deep");
+  if (node.child_count == 0) {
+    blocks_.push_back(node.block);
+    return kBlockBit | static_cast<std::uint32_t>(blocks_.size() - 1);
+  }
+  const std::size_t at = nodes_.size();
+  nodes_.emplace_back();
+  for (std::size_t i = 0; i < 4; ++i) {
+    constexpr float kFar = std::numeric_limits<float>::infinity();
+    RTCBounds bounds{kFar, kFar, kFar, 0, -kFar, -kFar, -kFar, 0};
+    std::uint32_t child = kBlockBit;
+    if (i < node.child_count) {
+      bounds = node.bounds[i];
+      child = flatten(*node.children[i], level + 1);
+    }
+    Node& made = nodes_[at];
+    made.child[i] = child;
+    made.low[0][i] = bounds.lower_x;
+    made.low[1][i] = bounds.lower_y;
+    made.low[2][i] = bounds.lower_z;
+    made.high[0][i] = bounds.upper_x;
+    made.high[1][i] = bounds.upper_y;
+    made.high[2][i] = bounds.upper_z;
+  }
+  return static_cast<std::uint32_t>(at);
 }
 
 }  // namespace quarry

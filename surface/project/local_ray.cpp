@@ -8,7 +8,7 @@ namespace quarry {
 namespace {
 
 // Wider than the boxes of the triangles.
-constexpr double kMargin = 2 * kRayMargin;
+constexpr double kMargin = 2 * FloatFrame::kRayMargin;
 
 struct Span {
   double begin, end;
@@ -24,9 +24,8 @@ Span between(Span span, double origin, double direction, double low, double high
 
 }  // namespace
 
-LocalRay::LocalRay(const PackedTriangles& triangles, Vec3 origin, Vec3 direction) {
-  if (triangles.size() == 0) return;
-  const FloatFrame& frame = triangles.frame();
+LocalRay::LocalRay(const Box3& box, const FloatFrame& frame, Vec3 origin, Vec3 direction) {
+  if (!(box.low.x <= box.high.x)) return;  // no triangles
   origin_ = frame.local(origin);
   // Scaled twice, so that neither a tiny nor a huge direction is lost in squaring it.
   const double size = std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)});
@@ -35,8 +34,8 @@ LocalRay::LocalRay(const PackedTriangles& triangles, Vec3 origin, Vec3 direction
   direction_ = (1 / rest) * direction_;
   unit_ = size * rest * frame.scale();
   const Vec3 margin{kMargin, kMargin, kMargin};
-  const Vec3 low = frame.local(triangles.box().low) - margin;
-  const Vec3 high = frame.local(triangles.box().high) + margin;
+  const Vec3 low = frame.local(box.low) - margin;
+  const Vec3 high = frame.local(box.high) + margin;
   Span inside{0, std::numeric_limits<double>::infinity()};
   inside = between(inside, origin_.x, direction_.x, low.x, high.x);
   inside = between(inside, origin_.y, direction_.y, low.y, high.y);
@@ -46,7 +45,7 @@ LocalRay::LocalRay(const PackedTriangles& triangles, Vec3 origin, Vec3 direction
 }
 
 float LocalRay::covering_length(double end) const {
-  return static_cast<float>((end - entry_ + kRayMargin) * (1 + 1e-6));
+  return static_cast<float>((end - entry_ + FloatFrame::kRayMargin) * (1 + 1e-6));
 }
 
 }  // namespace quarry

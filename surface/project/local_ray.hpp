@@ -3,13 +3,14 @@
 #pragma once
 
 #include "engine/geometry/vec.hpp"
-#include "surface/project/packed_triangles.hpp"
+#include "surface/project/float_frame.hpp"
 
 namespace quarry {
 
 class LocalRay {
  public:
-  LocalRay(const PackedTriangles& triangles, Vec3 origin, Vec3 direction);
+  // box, frame: of the surface.
+  LocalRay(const Box3& box, const FloatFrame& frame, Vec3 origin, Vec3 direction);
 
   // No triangle is on the way.
   [[nodiscard]] bool misses() const { return !(entry_ <= exit_); }

@@ -6,18 +6,82 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 
 #include "engine/geometry/vec.hpp"
+#include "surface/project/lanes.hpp"
 
 namespace quarry {
 
 using TriangleCorners = std::array<Vec3, 3>;
 using CornerWeights = std::array<double, 3>;  // at least 0; their sum is 1 up to rounding
 
+// For one triangle (Real is double) or for one a lane.
+template <class Real>
 struct TrianglePoint {
-  double squared_distance = 0;
-  CornerWeights weights{};
+  Real squared_distance;
+  std::array<Real, 3> weights;
 };
+
+template <class Real>
+struct EdgePoint {
+  Real squared_distance;
+  Real parameter;  // 0 at the first end, 1 at the second
+};
+
+// from_a, from_b: what leads from the ends to the point at hand. Reckoned from the nearer end. Without
+// branches, as all below: which candidate wins is hard to foresee.
+template <class Real>
+EdgePoint<Real> closest_on_edge(const LaneVec3<Real>& from_a, const LaneVec3<Real>& from_b,
+                                const LaneVec3<Real>& edge) {
+  const Real zero{}, one = zero + 1.0;
+  const Real squared_edge = dot(edge, edge);
+  const Real along = dot(from_a, edge);
+  const Real to_the_right = along >= squared_edge ? one : along / squared_edge;
+  const Real parameter = along > zero ? to_the_right : zero;
+  const auto nearer_a = parameter <= 0.5;
+  const Real from_nearer = nearer_a ? parameter : parameter - one;
+  const LaneVec3<Real> rest = choose(nearer_a, from_a, from_b) - from_nearer * edge;
+  return {dot(rest, rest), parameter};
+}
+
+// Corners: a, b, c.
+template <class Real>
+TrianglePoint<Real> closest_on_triangle(const LaneVec3<Real>& p,
+                                        const std::array<LaneVec3<Real>, 3>& corners) {
+  const Real zero{}, one = zero + 1.0;
+  const auto& [a, b, c] = corners;
+  const LaneVec3<Real> ab = b - a, ac = c - a, bc = c - b;
+  const LaneVec3<Real> from_a = p - a, from_b = p - b, from_c = p - c;
+  const EdgePoint<Real> on_ab = closest_on_edge(from_a, from_b, ab);
+  const EdgePoint<Real> on_ac = closest_on_edge(from_a, from_c, ac);
+  const EdgePoint<Real> on_bc = closest_on_edge(from_b, from_c, bc);
+  Real best = on_ab.squared_distance;
+  LaneVec3<Real> weights{one - on_ab.parameter, on_ab.parameter, zero};
+  const auto by_ac = on_ac.squared_distance < best;
+  best = by_ac ? on_ac.squared_distance : best;
+  weights = choose(by_ac, LaneVec3<Real>{one - on_ac.parameter, zero, on_ac.parameter}, weights);
+  const auto by_bc = on_bc.squared_distance < best;
+  best = by_bc ? on_bc.squared_distance : best;
+  weights = choose(by_bc, LaneVec3<Real>{zero, one - on_bc.parameter, on_bc.parameter}, weights);
+  // The areas that the foot of the perpendicular cuts off, times the area of the triangle. By cross products:
+  // a Gram determinant would lose twice as many digits where the triangle is thin.
+  const LaneVec3<Real> normal = cross(ab, ac);
+  const Real whole = dot(normal, normal);
+  const Real of_b = dot(normal, cross(from_a, ac));
+  const Real of_c = dot(normal, cross(ab, from_a));
+  const Real weight_b = of_b / whole, weight_c = of_c / whole;
+  const LaneVec3<Real> rest = from_a - (weight_b * ab + weight_c * ac);
+  const Real squared = dot(rest, rest);
+  const auto inside = (of_b > zero) & (of_c > zero) & (of_b + of_c < whole) & (squared < best);
+  weights = choose(inside, LaneVec3<Real>{one - weight_b - weight_c, weight_b, weight_c}, weights);
+  return {inside ? squared : best, {weights.x, weights.y, weights.z}};
+}
+
+[[nodiscard]] inline TrianglePoint<double> closest_on_triangle(Vec3 p, const TriangleCorners& corners) {
+  const auto lane = [](Vec3 v) { return LaneVec3<double>{v.x, v.y, v.z}; };
+  return closest_on_triangle<double>(lane(p), {lane(corners[0]), lane(corners[1]), lane(corners[2])});
+}
 
 // Reckoned from the corner with the greatest weight: exactly that corner where its weight is 1.
 [[nodiscard]] inline Vec3 point_at(const CornerWeights& weights, const TriangleCorners& corners) {
@@ -28,51 +92,6 @@ struct TrianglePoint {
   const std::size_t last = (base + 2) % 3;
   return corners[base] +
          (weights[next] * (corners[next] - corners[base]) + weights[last] * (corners[last] - corners[base]));
-}
-
-namespace detail {
-
-struct EdgePoint {
-  double squared_distance;
-  double parameter;  // 0 at a, 1 at b
-};
-
-// from_a, from_b: what leads from the ends to the point at hand.
-inline EdgePoint closest_on_edge(Vec3 from_a, Vec3 from_b, Vec3 edge) {
-  const double squared_edge = dot(edge, edge);
-  const double along = dot(from_a, edge);
-  const double parameter = along <= 0 ? 0 : along >= squared_edge ? 1 : along / squared_edge;
-  const bool nearer_a = parameter <= 0.5;
-  const Vec3 rest = (nearer_a ? from_a : from_b) - (nearer_a ? parameter : parameter - 1) * edge;
-  return {dot(rest, rest), parameter};
-}
-
-}  // namespace detail
-
-[[nodiscard]] inline TrianglePoint closest_on_triangle(Vec3 p, const TriangleCorners& corners) {
-  const auto& [a, b, c] = corners;
-  const Vec3 ab = b - a, ac = c - a, bc = c - b;
-  const Vec3 from_a = p - a, from_b = p - b, from_c = p - c;
-  const detail::EdgePoint on_ab = detail::closest_on_edge(from_a, from_b, ab);
-  const detail::EdgePoint on_ac = detail::closest_on_edge(from_a, from_c, ac);
-  const detail::EdgePoint on_bc = detail::closest_on_edge(from_b, from_c, bc);
-  TrianglePoint best{on_ab.squared_distance, {1 - on_ab.parameter, on_ab.parameter, 0}};
-  if (on_ac.squared_distance < best.squared_distance)
-    best = {on_ac.squared_distance, {1 - on_ac.parameter, 0, on_ac.parameter}};
-  if (on_bc.squared_distance < best.squared_distance)
-    best = {on_bc.squared_distance, {0, 1 - on_bc.parameter, on_bc.parameter}};
-  // The areas that the foot of the perpendicular cuts off, times the area of the triangle. By cross products:
-  // a Gram determinant would lose twice as many digits where the triangle is thin.
-  const Vec3 normal = cross(ab, ac);
-  const double whole = dot(normal, normal);
-  const double of_b = dot(normal, cross(from_a, ac));
-  const double of_c = dot(normal, cross(ab, from_a));
-  if (!(of_b > 0 && of_c > 0 && of_b + of_c < whole)) return best;
-  const double weight_b = of_b / whole, weight_c = of_c / whole;
-  const Vec3 rest = from_a - (weight_b * ab + weight_c * ac);
-  const double squared = dot(rest, rest);
-  if (squared < best.squared_distance) best = {squared, {1 - weight_b - weight_c, weight_b, weight_c}};
-  return best;
 }
 
 }  // namespace quarry

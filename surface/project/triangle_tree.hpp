@@ -56,6 +56,8 @@ struct CrossingCounts {
   std::uint32_t from_back = 0;
 };
 
+class TriangleBlocks;
+
 class TriangleTree {
  public:
   // points, triangles: finite; corners are numbers of points. They are copied. instruction_set: see BoxTree;
@@ -90,8 +92,7 @@ class TriangleTree {
   [[nodiscard]] bool encloses(Vec3 p) const;
 
  private:
-  struct Parts;
-  std::unique_ptr<const Parts> parts_;
+  std::unique_ptr<const TriangleBlocks> triangles_;
 };
 
 }  // namespace quarry

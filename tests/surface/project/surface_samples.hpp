@@ -13,7 +13,7 @@
 #include "engine/geometry/box.hpp"
 #include "engine/geometry/vec.hpp"
 #include "io/mesh/obj_format.hpp"
-#include "surface/project/packed_triangles.hpp"
+#include "surface/project/triangle_blocks.hpp"
 #include "surface/project/triangle_tree.hpp"
 
 namespace quarry::test {
@@ -176,21 +176,21 @@ struct LookedAtAll {
   int ties = 0;
 };
 
-inline LookedAtAll look_at_all(const PackedTriangles& triangles, Vec3 p, const ClosestQuery& query = {}) {
+inline LookedAtAll look_at_all(const Surface& surface, Vec3 p, const ClosestQuery& query = {}) {
   LookedAtAll all;
-  for (std::uint32_t slot = 0; slot < triangles.size(); ++slot) {
-    const PackedTriangle& triangle = triangles[slot];
-    const TrianglePoint point = closest_on_triangle(p, triangle.corners);
+  for (std::uint32_t i = 0; i < surface.triangles.size(); ++i) {
+    const OrderedTriangle triangle(surface.points, surface.triangles[i]);
+    const TrianglePoint<double> point = closest_on_triangle(p, triangle.corners);
     const bool turned =
-        query.least_cosine > -1 && !(dot(triangles.unit_normal(slot), query.normal) >= query.least_cosine);
-    if (turned || !query.keep(triangle.number) || point.squared_distance > query.radius * query.radius)
+        query.least_cosine > -1 && !(dot(triangle.unit_normal(), query.normal) >= query.least_cosine);
+    if (turned || !query.keep(TriangleId(i)) || point.squared_distance > query.radius * query.radius)
       continue;
     if (point.squared_distance == all.best.squared_distance) ++all.ties;
-    if (point.squared_distance < all.best.squared_distance) all.ties = 1;
-    if (point.squared_distance < all.best.squared_distance ||
-        (point.squared_distance == all.best.squared_distance && triangle.number < all.best.triangle))
-      all.best = {point_at(point.weights, triangle.corners), triangle.number,
-                  weights_as_given(triangle, point.weights), point.squared_distance};
+    if (point.squared_distance < all.best.squared_distance) {
+      all.ties = 1;
+      all.best = {point_at(point.weights, triangle.corners), TriangleId(i), triangle.as_given(point.weights),
+                  point.squared_distance};
+    }
   }
   return all;
 }

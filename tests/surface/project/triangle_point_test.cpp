@@ -34,7 +34,7 @@ TEST(ClosestOnTriangle, HasNoPointOfTheTriangleInFrontOfIt) {
   for (int i = 0; i < 20'000; ++i) {
     const TriangleCorners corners{draws.in_cube(1), draws.in_cube(1), draws.in_cube(1)};
     const Vec3 p = draws.in_cube(std::exp(draws.uniform(-3, 6)));
-    const TrianglePoint point = closest_on_triangle(p, corners);
+    const TrianglePoint<double> point = closest_on_triangle(p, corners);
     const Vec3 nearest = point_at(point.weights, corners);
     const double distance = length(p - nearest);
     ASSERT_LE(farthest_in_front(p, nearest, corners), 1e-11 * (1 + distance)) << "case " << i;
@@ -46,7 +46,7 @@ TEST(ClosestOnTriangle, HasNoPointOfTheTriangleInFrontOfIt) {
 
 // No sample of a triangle with coordinates of about 1 is nearer, by more than rounding.
 void expect_no_sample_nearer(Vec3 p, const TriangleCorners& corners) {
-  const TrianglePoint point = closest_on_triangle(p, corners);
+  const TrianglePoint<double> point = closest_on_triangle(p, corners);
   ASSERT_TRUE(std::isfinite(point.squared_distance));
   constexpr int kSteps = 40;
   double nearest = point.squared_distance;
@@ -85,7 +85,7 @@ TEST(ClosestOnTriangle, IsExactlyTheCornerWhereThatIsNearest) {
     const TriangleCorners corners{offset + draws.in_cube(1), offset + draws.in_cube(1),
                                   offset + draws.in_cube(1)};
     for (const Vec3 corner : corners) {
-      const TrianglePoint point = closest_on_triangle(corner, corners);
+      const TrianglePoint<double> point = closest_on_triangle(corner, corners);
       ASSERT_EQ(point.squared_distance, 0);
       ASSERT_EQ(point_at(point.weights, corners), corner);
     }
@@ -101,12 +101,32 @@ TEST(ClosestOnTriangle, HasTheSameBitsOnBothSidesOfAnEdge) {
     const Vec3 left{draws.uniform(-0.5, 0.5), -1, -2}, right{draws.uniform(-0.5, 0.5), 1, -2};
     const Vec3 p{draws.uniform(-0.9, 0.9), 0, 1};
     // Corners ascending, as the tree gives them.
-    const TrianglePoint on_left = closest_on_triangle(p, {a, left, b});
-    const TrianglePoint on_right = closest_on_triangle(p, {a, right, b});
+    const TrianglePoint<double> on_left = closest_on_triangle(p, {a, left, b});
+    const TrianglePoint<double> on_right = closest_on_triangle(p, {a, right, b});
     ASSERT_EQ(on_left.squared_distance, on_right.squared_distance) << "case " << i;
     ties += on_left.weights[1] == 0 && on_left.weights[0] > 0 && on_left.weights[2] > 0 ? 1 : 0;
   }
   EXPECT_GT(ties, 1900);
+}
+
+TEST(ClosestOnTriangle, HasTheSameBitsInALaneAsAlone) {
+  Draws draws(kSeed);
+  for (int i = 0; i < 5000; ++i) {
+    const Vec3 p = draws.in_cube(2), a = draws.in_cube(1), b = draws.in_cube(1);
+    const std::array<Vec3, 3> c{draws.in_cube(1), a + draws.uniform(-1, 2) * (b - a), a};
+    TriangleBlock block;
+    std::array<OrderedTriangle, 2> triangles;
+    for (std::size_t lane = 0; lane < 2; ++lane) {
+      const std::array<Vec3, 3> points{a, b, c[(static_cast<std::size_t>(i) + lane) % 3]};
+      triangles[lane] = OrderedTriangle(points, {0, 1, 2});
+      block.set(lane, TriangleId(lane), triangles[lane]);
+    }
+    for (const Vec3 from : {p, a, 0.5 * (a + b)}) {
+      const Double2 squared = block.squared_distances(from);
+      for (std::size_t lane = 0; lane < 2; ++lane)
+        ASSERT_EQ(squared[lane], closest_on_triangle(from, triangles[lane].corners).squared_distance) << i;
+    }
+  }
 }
 
 }  // namespace

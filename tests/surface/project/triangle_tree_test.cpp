@@ -16,9 +16,8 @@ const Vec3 kFarAway{6'700'000.25, -500'000.5, 3000.125};
 void expect_what_looking_at_all_gives(const Surface& surface, const std::vector<Vec3>& points,
                                       const ClosestQuery& query = {}) {
   const TriangleTree tree(surface.points, surface.triangles);
-  const PackedTriangles triangles(surface.points, surface.triangles);
   for (const Vec3 p : points) {
-    const SurfacePoint expected = look_at_all(triangles, p, query).best;
+    const SurfacePoint expected = look_at_all(surface, p, query).best;
     const SurfacePoint found = tree.closest(p, query);
     ASSERT_TRUE(same(found, expected))
         << "at " << p.x << " " << p.y << " " << p.z << ": triangle " << found.triangle.value() << " at "
@@ -54,12 +53,11 @@ TEST(TriangleTreeClosest, IsWhatLookingAtEveryTriangleGivesAtAnyScale) {
 TEST(TriangleTreeClosest, IsTheTriangleOfLowestNumberAmongThoseEquallyNear) {
   const Surface surface = egg_box(12);
   const TriangleTree tree(surface.points, surface.triangles);
-  const PackedTriangles triangles(surface.points, surface.triangles);
   int queries_made = 0, with_ties = 0;
   for (double x = -1; x <= 13; x += 0.5) {
     for (double y = -1; y <= 13; y += 0.5) {
       for (const double z : {-2.0, 0.0, 0.5, 1.0, 1.5, 40.0}) {
-        const LookedAtAll all = look_at_all(triangles, {x, y, z});
+        const LookedAtAll all = look_at_all(surface, {x, y, z});
         ASSERT_TRUE(same(tree.closest({x, y, z}), all.best)) << x << " " << y << " " << z;
         ++queries_made;
         with_ties += all.ties > 1 ? 1 : 0;
@@ -182,6 +180,15 @@ TEST(TriangleTreeClosest, TakesTrianglesWithoutArea) {
   const std::vector<Vec3> points = queries(surface, kSeed, 700);
   expect_what_looking_at_all_gives(surface, points);
   expect_what_looking_at_all_gives(surface, points, {.normal = {0, 0, 1}, .least_cosine = -0.9});
+}
+
+TEST(TriangleTreeClosest, TakesManyTrianglesInOnePlace) {
+  Surface surface{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 5, 5}}, {}};
+  surface.triangles.assign(5000, {2, 0, 1});
+  surface.triangles.front() = {3, 3, 3};
+  const TriangleTree tree(surface.points, surface.triangles);
+  EXPECT_EQ(tree.closest({0.25, 0.25, 1}).triangle, TriangleId(std::size_t{1}));
+  EXPECT_EQ(tree.crossings({0.25, 0.25, 1}, {0, 0, -1}).from_front, 4999U);
 }
 
 TEST(TriangleTreeClosest, TakesSurfacesOfOnePointAndOfNone) {
