@@ -51,6 +51,31 @@ cp "$OUT/stdout" "$OUT/quality.json"
 expect "quality prints JSON" 0 python3 -m json.tool "$OUT/quality.json"
 expect "picture" 0 "$QUARRY" picture "$OUT/1.vtu" -o "$OUT/section.svg"
 
+cat > "$OUT/cube.obj" << 'END'
+v 0 0 0
+v 1 0 0
+v 0 1 0
+v 1 1 0
+v 0 0 1
+v 1 0 1
+v 0 1 1
+v 1 1 1
+f 1 3 4 2
+f 5 6 8 7
+f 1 2 6 5
+f 3 7 8 4
+f 1 5 7 3
+f 2 4 8 6
+END
+for threads in 1 2 4 7; do
+  expect "a surface on $threads threads" 0 "$QUARRY" mesh "$OUT/cube.obj" -o "$OUT/cube_$threads.vtu" --count 600 \
+    --threads "$threads" --report "$OUT/cube.json" --repaired "$OUT/repaired.ply" --quiet
+  expect "the same bytes of a surface on $threads threads" 0 cmp "$OUT/cube_1.vtu" "$OUT/cube_$threads.vtu"
+done
+expect "triangles on a surface" 0 "$QUARRY" mesh "$OUT/cube.obj" -o "$OUT/cube.stl" --size 0.2 --elements tri --quiet
+expect "the report of a surface is JSON" 0 python3 -m json.tool "$OUT/cube.json"
+refuses "an option of lines for a surface" 2 "$OUT/cube.obj" --size 0.2 --snap 0.1
+
 printf '{"type": "FeatureCollection", "features": [' > "$OUT/broken.geojson"
 printf '' > "$OUT/empty.geojson"
 refuses "a file that is not there" 3 "$OUT/none.geojson" --size 12
