@@ -28,6 +28,13 @@ inline Digits take_digits(const char* at, const char* end, std::uint64_t value) 
   return {at, value};
 }
 
+// What may be too large, and what is no number, is for the library to judge. Apart, so that the rest stays
+// small enough to become part of its callers.
+template <class Number>
+[[gnu::noinline]] std::from_chars_result read_rare_number(const char* begin, const char* end, Number& value) {
+  return std::from_chars(begin, end, value);
+}
+
 // The powers of ten that are doubles.
 inline constexpr double kExactPowers[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                           1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
@@ -44,9 +51,9 @@ std::from_chars_result read_number(const char* begin, const char* end, Integer& 
   const bool minus = begin != end && *begin == '-';
   const char* const first = begin + (minus ? 1 : 0);
   const detail::Digits digits = detail::take_digits(first, end, 0);
-  // What may be too large, and what is no number, is for the library to judge.
   constexpr std::ptrdiff_t kSafeDigits = std::numeric_limits<Integer>::digits10;
-  if (digits.stop == first || digits.stop - first > kSafeDigits) return std::from_chars(begin, end, value);
+  if (digits.stop == first || digits.stop - first > kSafeDigits)
+    return detail::read_rare_number(begin, end, value);
   const auto size = static_cast<Integer>(digits.value);
   value = static_cast<Integer>(minus ? -size : size);
   return {digits.stop, std::errc()};
@@ -68,19 +75,20 @@ inline std::from_chars_result read_number(const char* begin, const char* end, do
     power = fraction - digits.stop;
     count -= power;
   }
-  if (count == 0 || count > kSafeDigits) return std::from_chars(begin, end, value);
+  if (count == 0 || count > kSafeDigits) return detail::read_rare_number(begin, end, value);
   if (digits.stop != end && (*digits.stop == 'e' || *digits.stop == 'E')) {
     const char* exponent = digits.stop + 1;
     const bool below = exponent != end && *exponent == '-';
     if (exponent != end && (*exponent == '-' || *exponent == '+')) ++exponent;
     const detail::Digits shift = detail::take_digits(exponent, end, 0);
-    if (shift.stop == exponent || shift.stop - exponent > 4) return std::from_chars(begin, end, value);
+    if (shift.stop == exponent || shift.stop - exponent > 4)
+      return detail::read_rare_number(begin, end, value);
     power += below ? -static_cast<std::int64_t>(shift.value) : static_cast<std::int64_t>(shift.value);
     digits.stop = shift.stop;
   }
   if (digits.value > detail::kLargestMantissa || power > detail::kLargestPower ||
       power < -detail::kLargestPower)
-    return std::from_chars(begin, end, value);
+    return detail::read_rare_number(begin, end, value);
   const auto mantissa = static_cast<double>(digits.value);
   const double size =
       power < 0 ? mantissa / detail::kExactPowers[-power] : mantissa * detail::kExactPowers[power];

@@ -66,8 +66,8 @@ class TextCursor {
   Number number_in_line(const char* what, char tail = ' ') {
     if (at_line_end()) fail_missing(what);
     const char* const end = text_.data() + text_.size();
-    const char* begin = text_.data() + at_;
-    if (*begin == '+') ++begin;
+    const char* const at = text_.data() + at_;
+    const char* const begin = at + (*at == '+' ? 1 : 0);
     Number value{};
     const auto [stop, failure] = read_number(begin, end, value);
     const bool whole = stop == end || is_space(*stop);

@@ -59,9 +59,6 @@ class PlyReader {
   }
 
  private:
-  // Rows of a binary body in one part of a loop.
-  static constexpr std::size_t kRowsInPart = 16384;
-
   [[noreturn]] void fail(const std::string& message) const {
     throw Error(ErrorKind::kInput, fmt::format("{}: {}", path_, message));
   }
@@ -112,16 +109,15 @@ class PlyReader {
     std::size_t at = header_.end;
     for (const PlyElement& element : header_.elements) {
       if (element.properties.empty()) continue;
-      const PlyRows rows(bytes, element, at);
+      const PlyLayout layout(bytes, element, at);
       begin_element(element);
-      read_parts((element.rows + kRowsInPart - 1) / kRowsInPart, [&](std::size_t part) {
-        const std::size_t end = std::min(element.rows, (part + 1) * kRowsInPart);
-        for (std::size_t i = part * kRowsInPart; i < end; ++i) {
-          PlyBinaryRow row(bytes, rows.begin_of(i));
-          read_row(element, row, i);
-        }
+      read_parts(layout.parts(), [&](std::size_t part) {
+        const std::size_t begin = part * PlyLayout::kRowsInPart;
+        const std::size_t end = std::min(element.rows, begin + PlyLayout::kRowsInPart);
+        PlyBinaryRows rows(bytes, layout.begin_of(part));
+        for (std::size_t i = begin; i < end; ++i) read_row(element, rows, i);
       });
-      at = rows.end();
+      at = layout.end();
     }
     if (text_.find_first_not_of(" \t\r\n", at) != std::string_view::npos)
       bytes.fail(at, fmt::format("{} bytes follow after what the header announces", text_.size() - at));

@@ -86,10 +86,10 @@ class PlyBytes {
   bool swap_;
 };
 
-// A row whose bytes are known to be there.
-class PlyBinaryRow {
+// Rows, one after the other, whose bytes are known to be there.
+class PlyBinaryRows {
  public:
-  PlyBinaryRow(const PlyBytes& bytes, std::size_t at) : bytes_(bytes), at_(at) {}
+  PlyBinaryRows(const PlyBytes& bytes, std::size_t at) : bytes_(bytes), at_(at) {}
 
   void skip(const PlyProperty& property) {
     if (property.length_type) {
@@ -130,15 +130,17 @@ class PlyBinaryRow {
   std::size_t at_;
 };
 
-// Where the rows of one element lie in a binary body.
-class PlyRows {
+// Where the rows of one element lie in a binary body. They are read in parts of so many rows.
+class PlyLayout {
  public:
-  // Throws Error(kInput) where the file ends before the last row does.
-  PlyRows(const PlyBytes& bytes, const PlyElement& element, std::size_t begin);
+  static constexpr std::size_t kRowsInPart = 16384;
 
-  [[nodiscard]] std::size_t begin_of(std::size_t row) const {
-    return begins_.empty() ? begin_ + row * stride_ : begins_[row];
-  }
+  // Throws Error(kInput) where the file ends before the last row does.
+  PlyLayout(const PlyBytes& bytes, const PlyElement& element, std::size_t begin);
+
+  [[nodiscard]] std::size_t parts() const { return begins_.size(); }
+  // Where the first row of a part begins.
+  [[nodiscard]] std::size_t begin_of(std::size_t part) const { return begins_[part]; }
   [[nodiscard]] std::size_t end() const { return end_; }
 
  private:
@@ -148,12 +150,13 @@ class PlyRows {
     PlyType length_type = PlyType::kUint8;
     std::size_t value_size = 0;  // 0: no list follows
   };
-  [[nodiscard]] std::size_t end_of_row(const PlyBytes& bytes, const std::vector<Step>& steps,
-                                       std::size_t at) const;
+  // Sets steps_ and shortest_.
+  void take_steps(const PlyElement& element);
+  [[nodiscard]] std::size_t end_of_row(const PlyBytes& bytes, std::size_t at) const;
 
-  std::size_t begin_ = 0;
-  std::size_t stride_ = 0;           // of rows without lists
-  std::vector<std::size_t> begins_;  // of rows with lists
+  std::vector<Step> steps_;
+  std::size_t shortest_ = 0;  // bytes of a row whose lists are empty
+  std::vector<std::size_t> begins_;
   std::size_t end_ = 0;
 };
 
