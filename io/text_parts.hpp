@@ -3,6 +3,7 @@
 // number of threads.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <optional>
 #include <string_view>
@@ -26,22 +27,27 @@ struct TextPart {
                                                 std::string_view starts = {});
 
 // Calls read(index) for each index of [0, count), in any order and at the same time. Where some throw an
-// Error, the one of lowest index is thrown.
+// Error, the one of lowest index is thrown, and those above it may not be called: a file that is wrong in
+// every part would take long to tell so of each.
 template <class Read>
 void read_parts(std::size_t count, Read&& read) {
   std::vector<std::optional<Error>> errors(count);
+  std::atomic<std::size_t> lowest = count;
   parallel::for_each(
       count,
       [&](std::size_t i) {
+        std::size_t seen = lowest.load(std::memory_order_relaxed);
+        if (i > seen) return;
         try {
           read(i);
         } catch (const Error& error) {
           errors[i] = error;
+          while (i < seen && !lowest.compare_exchange_weak(seen, i, std::memory_order_relaxed)) {
+          }
         }
       },
       1);
-  for (const std::optional<Error>& error : errors)
-    if (error) throw Error(*error);
+  if (lowest < count) throw Error(*errors[lowest]);
 }
 
 }  // namespace quarry
