@@ -2,20 +2,20 @@
 #pragma once
 
 #include <algorithm>
-#include <cstddef>
 #include <cmath>
+#include <cstddef>
 #include <span>
 
 #include "engine/geometry/space_point.hpp"
 
 namespace quarry {
 
-// The cosine of the angle by which a face may turn from the mean of the normals of the surface at its corners: 72
-// degrees. A scaled Jacobian alone does not see a face that lies upside down.
+// The cosine of the angle by which a face may turn from the mean of the normals of the surface at its
+// corners: 72 degrees. A scaled Jacobian alone does not see a face that lies upside down.
 inline constexpr double kLeastFacing = 0.3;
 
-// The smallest corner sine (of a triangle times 2 / sqrt(3)) as seen along the face's own normal, the cross product of its
-// diagonals; -1 if that turns too far from the surface, or there is none.
+// The smallest corner sine (of a triangle times 2 / sqrt(3)) as seen along the face's own normal, the cross
+// product of its diagonals; -1 if that turns too far from the surface, or there is none.
 [[nodiscard]] inline double scaled_jacobian_in_space(std::span<const SpacePoint> corners) {
   constexpr double kTriangleFactor = 1.1547005383792515;
   const std::size_t count = corners.size();

@@ -164,8 +164,8 @@ TEST_F(BadInput, AStartMeshThatCannotBeReadIsTold) {
 }
 
 TEST_F(BadInput, AStartMeshOfAnUnknownFormatIsToldBeforeTheWork) {
-  const std::string start = folder_.write("start.stl", "solid");
-  expect_refused(2, {kDemoSection, "--size", "20", "--start", start}, {"start.stl", ".vtu"});
+  const std::string start = folder_.write("start.xyz", "solid");
+  expect_refused(2, {kDemoSection, "--size", "20", "--start", start}, {"start.xyz", ".vtu"});
 }
 
 TEST_F(BadInput, AStartMeshWithoutATriangleIsTold) {
