@@ -25,8 +25,10 @@ struct Surface {
 Surface make_surface() {
   Surface surface;
   for (std::uint32_t i = 0; i < kSide * kSide; ++i) {
-    const double x = i % kSide + 0.5 * uniform01(1, i);
-    const double y = i / kSide + 0.5 * uniform01(2, i);
+    const std::uint32_t column = i % kSide;
+    const std::uint32_t row = i / kSide;
+    const double x = column + 0.5 * uniform01(1, i);
+    const double y = row + 0.5 * uniform01(2, i);
     surface.points.push_back({static_cast<float>(x), static_cast<float>(y),
                               static_cast<float>(20 * std::sin(0.02 * x) * std::cos(0.03 * y))});
   }

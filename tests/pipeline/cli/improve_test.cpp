@@ -100,7 +100,7 @@ TEST_F(ImproveCommand, RefusesInOneLine) {
   expect_failure({}, 2, "no mesh");
   expect_failure({input}, 2, "output");
   expect_failure({input, "-o", folder_ / "out.xyz"}, 2, "out.xyz");
-  expect_failure({folder_ / "in.xyz", "-o", output}, 2, "in.stl");
+  expect_failure({folder_ / "in.xyz", "-o", output}, 2, "in.xyz");
   expect_failure({input, "-o", input}, 2, "in.vtu");
   expect_failure({input, "-o", output, "--cleanup", "most"}, 2, "most");
   expect_failure({input, "-o", output, "--size", "-1"}, 2, "--size");

@@ -27,7 +27,7 @@ void expect_what_looking_at_all_gives(const Surface& surface, const std::vector<
 }
 
 TEST(TriangleTreeClosest, IsWhatLookingAtEveryTriangleGives) {
-  for (const std::size_t count : {1, 2, 7, 100, 3000}) {
+  for (const std::size_t count : {1UL, 2UL, 7UL, 100UL, 3000UL}) {
     const Surface surface = soup(kSeed, count);
     expect_what_looking_at_all_gives(surface, queries(surface, kSeed, 700));
   }
