@@ -66,7 +66,8 @@ class CleanUp {
     patches.wanted_faces = mesh_.count_alive_faces();
     if (fewest) {
       // The last pairs go only where counts may change by more.
-      patches.most_growth = patches.most_shrinkage = 0.3;
+      patches.most_growth = 0.3;
+      patches.most_shrinkage = 0.5;
       patches.fewest_faces_of_large = patches.fewest_faces;
       patches.most_faces_of_large = patches.most_faces;
     }

@@ -19,7 +19,7 @@ struct RepairLine {
   const RepairCount& count;
 };
 
-std::array<RepairLine, 9> repair_lines(const RepairReport& repair) {
+std::array<RepairLine, 10> repair_lines(const RepairReport& repair) {
   return {{{"welded_points", "points that went into another", repair.welded},
            {"unused_points", "points without a triangle left out", repair.unused},
            {"degenerate_triangles", "triangles of fewer than three points left out", repair.degenerate},
@@ -28,6 +28,8 @@ std::array<RepairLine, 9> repair_lines(const RepairReport& repair) {
            {"filled_holes", "holes filled", repair.filled_holes},
            {"flat_triangles", "triangles without area kept", repair.flat},
            {"branch_edges", "edges of three triangles or more kept: the sheets meet there", repair.branches},
+           {"pinch_points", "points in which the surface touches itself, one vertex for each fan of triangles",
+            repair.pinches},
            {"seam_edges", "edges along which the one-sided surface is cut", repair.seams}}};
 }
 

@@ -8,6 +8,7 @@
 #include "engine/base/error.hpp"
 #include "engine/parallel/parallel.hpp"
 #include "engine/parallel/sort.hpp"
+#include "surface/repair/fans.hpp"
 #include "surface/repair/fill_holes.hpp"
 #include "surface/repair/orient.hpp"
 #include "surface/repair/surface_edges.hpp"
@@ -159,10 +160,30 @@ class Repair {
     }
     for (const SurfaceTriangle& t : surface_.triangles)
       if (doubled_area(surface_, t) == Vec3()) report_.flat.add(middle(t));
+    count_pinches(edges, result.joins);
     report_.holes = rims_of(surface_).size();
     result.surface = std::move(surface_);
     result.report = std::move(report_);
     return result;
+  }
+
+  // Points of several fans that lie on no join.
+  void count_pinches(const SurfaceEdges& edges, const std::vector<SheetJoin>& joins) {
+    constexpr std::uint32_t kNone = 0xffffffffU;
+    enum : std::uint8_t { kPlain, kOnJoin, kCounted };
+    std::vector<std::uint8_t> state(surface_.points.size(), kPlain);
+    for (const SheetJoin& join : joins)
+      for (const std::uint32_t p : join) state[p] = kOnJoin;
+    Fans fans(surface_, edges);
+    std::vector<std::uint32_t> fan(surface_.points.size(), kNone);
+    for (std::uint32_t corner = 0; corner < 3 * surface_.triangles.size(); ++corner) {
+      const std::uint32_t p = surface_.triangles[corner / 3][corner % 3];
+      const std::uint32_t mine = fans.of(corner);
+      if (fan[p] == kNone) fan[p] = mine;
+      if (fan[p] == mine || state[p] != kPlain) continue;
+      state[p] = kCounted;
+      report_.pinches.add(surface_.points[p]);
+    }
   }
 
   TriangleSurface surface_;

@@ -1,55 +1,19 @@
 #include "surface/repair/sheets.hpp"
 
-#include <algorithm>
+#include <cstdint>
 #include <numeric>
 #include <utility>
+#include <vector>
 
 #include "engine/mesh/build.hpp"
-#include "surface/repair/surface_edges.hpp"
+#include "surface/repair/fans.hpp"
 
 namespace quarry {
-namespace {
-
-// Corners that hang together through triangles: the fans. Corner k of triangle t has the number 3 t + k.
-class Fans {
- public:
-  explicit Fans(const TriangleSurface& surface) : root_(3 * surface.triangles.size()) {
-    std::iota(root_.begin(), root_.end(), 0U);
-    const SurfaceEdges edges(surface);
-    for (std::size_t e = 0; e < edges.count(); ++e) {
-      const auto sides = edges.sides(e);
-      if (sides.size() != 2) continue;
-      const std::uint32_t a = sides[0];
-      const std::uint32_t b = sides[1];
-      if (SurfaceEdges::ends(surface, a).first == SurfaceEdges::ends(surface, b).first) continue;  // a seam
-      join(a, target(b));
-      join(target(a), b);
-    }
-  }
-
-  // The smallest corner of the fan.
-  [[nodiscard]] std::uint32_t of(std::uint32_t corner) {
-    while (root_[corner] != corner) corner = root_[corner] = root_[root_[corner]];
-    return corner;
-  }
-
- private:
-  static std::uint32_t target(std::uint32_t side) { return side - side % 3 + (side + 1) % 3; }
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = of(a);
-    b = of(b);
-    root_[std::max(a, b)] = std::min(a, b);
-  }
-
-  std::vector<std::uint32_t> root_;
-};
-
-}  // namespace
 
 Mesh make_sheets(const RepairedSurface& repaired) {
   const TriangleSurface& surface = repaired.surface;
   constexpr std::uint32_t kNone = 0xffffffffU;
-  Fans fans(surface);
+  Fans fans(surface, SurfaceEdges(surface));
   std::vector<std::uint32_t> vertex_of_fan(3 * surface.triangles.size(), kNone);
   std::vector<std::uint8_t> taken(surface.points.size(), 0);
   std::vector<std::uint32_t> points(surface.points.size());

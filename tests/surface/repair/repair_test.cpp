@@ -102,6 +102,7 @@ TEST(Repair, SplitsAPointInWhichTwoPartsTouch) {
       {{0, 2, 1}, {0, 3, 2}, {0, 1, 3}, {1, 2, 3}, {0, 4, 5}, {0, 5, 6}, {0, 6, 4}, {4, 6, 5}});
   const RepairedSurface repaired = repair_surface(hourglass, {});
   EXPECT_TRUE(repaired.joins.empty());
+  EXPECT_EQ(repaired.report.pinches.count, 1U);
   const Mesh mesh = make_sheets(repaired);
   EXPECT_EQ(validate(mesh, GeometryCheck::kNone), "");
   EXPECT_EQ(mesh.count_alive_vertices(), 8U);
