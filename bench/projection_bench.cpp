@@ -7,12 +7,15 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
+#include <memory>
 #include <numbers>
 #include <string>
 #include <vector>
 
 #include <ctime>
+#include <fmt/format.h>
 
 #include "bench/cgal_tree.hpp"
 #include "engine/base/random.hpp"
@@ -29,6 +32,7 @@ namespace {
 constexpr int kRepeats = 5;
 constexpr std::size_t kNearQueries = 200'000;
 constexpr std::size_t kFarQueries = 50'000;
+constexpr double kAnywhere = 0;  // in place of a part of an edge
 
 struct Surface {
   std::vector<Vec3> points;
@@ -71,8 +75,8 @@ Box3 box_of(const std::vector<Vec3>& points) {
 
 double draw(std::uint64_t seed, std::size_t i) { return 2 * uniform01(seed, i) - 1; }
 
-// Points of the surface, moved by up to half an edge in each direction, in the order of a mesh.
-std::vector<Vec3> near_queries(const Surface& surface) {
+// Points of the surface, moved by up to a part of an edge in each direction, in the order of a mesh.
+std::vector<Vec3> near_queries(const Surface& surface, double part) {
   std::vector<Vec3> points(kNearQueries);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto at = static_cast<std::size_t>(uniform01(1, i) * static_cast<double>(surface.triangles.size()));
@@ -80,9 +84,9 @@ std::vector<Vec3> near_queries(const Surface& surface) {
     double v = uniform01(2, i), w = uniform01(3, i);
     if (v + w > 1) v = 1 - v, w = 1 - w;
     const Vec3 ab = surface.points[b] - surface.points[a];
-    const double half = 0.5 * length(ab);
+    const double most = part * length(ab);
     points[i] = surface.points[a] + v * ab + w * (surface.points[c] - surface.points[a]) +
-                half * Vec3{draw(4, i), draw(5, i), draw(6, i)};
+                most * Vec3{draw(4, i), draw(5, i), draw(6, i)};
   }
   const Box3 box = box_of(points);
   std::vector<std::uint64_t> keys;
@@ -154,20 +158,22 @@ double largest_disagreement(const TriangleTree& tree, const CgalTree& peer, cons
 }
 
 void print_rows(const char* name, const Surface& surface) {
-  double build = 0, peer_build = 0;
   std::unique_ptr<TriangleTree> tree;
   std::unique_ptr<CgalTree> peer;
-  build = seconds_of([&] { tree = std::make_unique<TriangleTree>(surface.points, surface.triangles); });
-  peer_build = seconds_of([&] { peer = std::make_unique<CgalTree>(surface.points, surface.triangles); });
-  for (const bool near : {true, false}) {
-    const std::vector<Vec3> points = near ? near_queries(surface) : far_queries(surface);
+  const double build =
+      seconds_of([&] { tree = std::make_unique<TriangleTree>(surface.points, surface.triangles); });
+  const double peer_build =
+      seconds_of([&] { peer = std::make_unique<CgalTree>(surface.points, surface.triangles); });
+  for (const double part : {0.1, 0.5, kAnywhere}) {
+    const std::vector<Vec3> points = part == kAnywhere ? far_queries(surface) : near_queries(surface, part);
+    const std::string where = part == kAnywhere ? "anywhere" : fmt::format("{} edge", part);
     const Times times = time_ways(*tree, *peer, points);
     const auto rate = [&](const std::vector<double>& seconds) {
       return static_cast<double>(points.size()) / median(seconds) / 1e3;
     };
     const double theirs = rate(times.peer);
     std::printf("| %s | %zu | %s | %.0f | %.0f (%.1f) | %.0f (%.1f) | %.0f (%.1f) | %.2f / %.2f | %.0e |\n",
-                name, surface.triangles.size(), near ? "near" : "far", theirs, rate(times.single),
+                name, surface.triangles.size(), where.c_str(), theirs, rate(times.single),
                 rate(times.single) / theirs, rate(times.started), rate(times.started) / theirs,
                 rate(times.all), rate(times.all) / theirs, build, peer_build,
                 largest_disagreement(*tree, *peer, points));
@@ -178,8 +184,9 @@ void print_rows(const char* name, const Surface& surface) {
 void print_table(const std::string& folder) {
   std::printf(
       "| surface | triangles | queries | CGAL | one by one | from the last answer | all at once | build s, "
-      "ours / "
-      "CGAL | differ by |\n|---|---|---|---|---|---|---|---|---|\n");
+      "here / "
+      "CGAL | differ by |\n"
+      "|---|---|---|---|---|---|---|---|---|\n");
   for (const char* name : {"koala_low", "hammer_scan"}) {
     const std::string path = folder + "/" + name + ".obj";
     if (std::filesystem::exists(path))

@@ -11,8 +11,6 @@
 namespace quarry {
 namespace {
 
-using parallel::detail::LoopOrder;
-
 class Device {
  public:
   explicit Device(const std::string& instruction_set)
@@ -62,28 +60,22 @@ struct BoxTree::BuildNode {
   Block block{};
 };
 
-// Called by Embree on many threads at once; its loops have the order that any loop has.
+// Called by Embree on many threads at once.
 struct BoxTree::Callbacks {
   static BuildNode* make(RTCThreadLocalAllocator allocator) {
     return new (rtcThreadLocalAlloc(allocator, sizeof(BuildNode), alignof(BuildNode))) BuildNode;
   }
-  static void* create_node(RTCThreadLocalAllocator allocator, unsigned, void* order) {
-    const LoopOrder::Chunk inside(*static_cast<LoopOrder*>(order));
-    return make(allocator);
-  }
-  static void set_children(void* node, void** children, unsigned count, void* order) {
-    const LoopOrder::Chunk inside(*static_cast<LoopOrder*>(order));
+  static void* create_node(RTCThreadLocalAllocator allocator, unsigned, void*) { return make(allocator); }
+  static void set_children(void* node, void** children, unsigned count, void*) {
     auto& parent = *static_cast<BuildNode*>(node);
     parent.child_count = count;
     for (unsigned i = 0; i < count; ++i) parent.children[i] = static_cast<const BuildNode*>(children[i]);
   }
-  static void set_bounds(void* node, const RTCBounds** bounds, unsigned count, void* order) {
-    const LoopOrder::Chunk inside(*static_cast<LoopOrder*>(order));
+  static void set_bounds(void* node, const RTCBounds** bounds, unsigned count, void*) {
     for (unsigned i = 0; i < count; ++i) static_cast<BuildNode*>(node)->bounds[i] = *bounds[i];
   }
   static void* create_leaf(RTCThreadLocalAllocator allocator, const RTCBuildPrimitive* primitives,
-                           std::size_t count, void* order) {
-    const LoopOrder::Chunk inside(*static_cast<LoopOrder*>(order));
+                           std::size_t count, void*) {
     BuildNode* leaf = make(allocator);
     leaf->block.fill(kNone);
     for (std::size_t i = 0; i < count; ++i) leaf->block[i] = primitives[i].primID;
@@ -91,7 +83,6 @@ struct BoxTree::Callbacks {
   }
 
   static const BuildNode* build(RTCBVH bvh, std::vector<RTCBuildPrimitive>& primitives) {
-    LoopOrder order;
     RTCBuildArguments arguments = rtcDefaultBuildArguments();
     arguments.maxBranchingFactor = 4;
     arguments.maxDepth = kMostLevels;
@@ -104,7 +95,6 @@ struct BoxTree::Callbacks {
     arguments.setNodeChildren = set_children;
     arguments.setNodeBounds = set_bounds;
     arguments.createLeaf = create_leaf;
-    arguments.userPtr = &order;
     return static_cast<const BuildNode*>(rtcBuildBVH(&arguments));
   }
 };
@@ -115,7 +105,14 @@ BoxTree::BoxTree(std::span<const FloatBox> boxes, const std::string& instruction
   if (boxes.empty()) return;
   const Device device(instruction_set);
   std::vector<RTCBuildPrimitive> primitives = primitives_of(boxes);
-  const BuildNode* root = Callbacks::build(device.bvh(), primitives);
+  const BuildNode* root = nullptr;
+  const auto build = [&] { root = Callbacks::build(device.bvh(), primitives); };
+#ifdef QUARRY_THREAD_SANITIZER
+  // It cannot see into Embree's library, and would report each of its tasks.
+  parallel::with_threads(1, build);
+#else
+  build();
+#endif
   if (root == nullptr) device.throw_error();
   root_ = flatten(*root, 0);
 }

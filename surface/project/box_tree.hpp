@@ -80,6 +80,15 @@ class BoxTree {
   };
 
   std::uint32_t flatten(const BuildNode& node, int level);
+  // Has the nodes on top of the stack brought into the cache while others are looked at.
+  void fetch(const Stack& stack, std::size_t first) const {
+    for (std::size_t i = first; i < stack.size; ++i) {
+      const auto child = static_cast<std::uint32_t>(stack.entries[i]);
+      if ((child & kBlockBit) != 0) continue;
+      __builtin_prefetch(&nodes_[child].low);
+      __builtin_prefetch(&nodes_[child].high[1]);  // the second line
+    }
+  }
 
   std::vector<Node> nodes_;
   std::vector<Block> blocks_;
@@ -128,7 +137,9 @@ void BoxTree::visit_near(const FloatPoint& point, float radius, Visit&& visit) c
   do {
     const auto child = static_cast<std::uint32_t>(entry);
     if ((child & kBlockBit) == 0) {
+      const std::size_t below_children = stack.size;
       stack.push_children(nodes_[child], squared_distances(nodes_[child]), limit);
+      fetch(stack, below_children);
     } else {
       const float shorter = visit(child & ~kBlockBit);
       limit = shorter * shorter;

@@ -45,10 +45,10 @@ EdgePoint<Real> closest_on_edge(const LaneVec3<Real>& from_a, const LaneVec3<Rea
   return {dot(rest, rest), parameter};
 }
 
-// Corners: a, b, c.
+// Inlined always, so that who wants no weights pays for none.
 template <class Real>
-TrianglePoint<Real> closest_on_triangle(const LaneVec3<Real>& p,
-                                        const std::array<LaneVec3<Real>, 3>& corners) {
+[[gnu::always_inline]] inline TrianglePoint<Real> closest_on_triangle(
+    const LaneVec3<Real>& p, const std::array<LaneVec3<Real>, 3>& corners) {
   const Real zero{}, one = zero + 1.0;
   const auto& [a, b, c] = corners;
   const LaneVec3<Real> ab = b - a, ac = c - a, bc = c - b;
