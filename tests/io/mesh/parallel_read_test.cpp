@@ -22,9 +22,11 @@ class GridFile {
   static constexpr std::uint32_t kSide = 200;
 
   explicit GridFile(std::uint32_t broken = 0xffffffff) {
-    for (std::uint32_t i = 0; i < kSide * kSide; ++i)
-      points_.push_back(
-          {i % kSide + uniform01(1, i), i / kSide + uniform01(2, i), i >= broken ? NAN : uniform01(3, i)});
+    for (std::uint32_t i = 0; i < kSide * kSide; ++i) {
+      const std::uint32_t column = i % kSide;
+      const std::uint32_t row = i / kSide;
+      points_.push_back({column + uniform01(1, i), row + uniform01(2, i), i >= broken ? NAN : uniform01(3, i)});
+    }
     for (std::uint32_t j = 0; j + 1 < kSide; ++j)
       for (std::uint32_t i = 0; i + 1 < kSide; ++i) {
         const std::uint32_t a = j * kSide + i;
