@@ -25,7 +25,8 @@ class GridFile {
     for (std::uint32_t i = 0; i < kSide * kSide; ++i) {
       const std::uint32_t column = i % kSide;
       const std::uint32_t row = i / kSide;
-      points_.push_back({column + uniform01(1, i), row + uniform01(2, i), i >= broken ? NAN : uniform01(3, i)});
+      points_.push_back(
+          {column + uniform01(1, i), row + uniform01(2, i), i >= broken ? NAN : uniform01(3, i)});
     }
     for (std::uint32_t j = 0; j + 1 < kSide; ++j)
       for (std::uint32_t i = 0; i + 1 < kSide; ++i) {
