@@ -68,6 +68,17 @@ struct ConstraintTags {
   }
 };
 
+// Calls visit(VertexId) for the other end of each constrained edge at v, counter-clockwise.
+template <class Visit>
+void for_each_constrained_neighbour(const Mesh& mesh, const ConstraintTags& tags, VertexId v, Visit&& visit) {
+  for_each_side_around(mesh, v, [&](SideId s) {
+    if (tags.constrained(s)) visit(mesh.target(s));
+    // On the boundary the last edge comes in and has no twin that goes out.
+    const SideId in = mesh.previous(s);
+    if (!mesh.neighbour(in).valid() && tags.constrained(in)) visit(mesh.origin(in));
+  });
+}
+
 // Finds the piece that joins two nodes; pieces are unique by their ends.
 class PieceFinder {
  public:

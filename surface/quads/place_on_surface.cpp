@@ -1,6 +1,5 @@
 #include "surface/quads/place_on_surface.hpp"
 
-#include <utility>
 #include <vector>
 
 #include "engine/parallel/parallel.hpp"
@@ -23,45 +22,40 @@ Vec3 normal_around(const Mesh& mesh, VertexId v) {
   return size > 0 ? (1 / size) * sum : Vec3{0, 0, 1};
 }
 
-// The ends of the constrained edges at a vertex.
-std::vector<VertexId> constrained_neighbours(const Mesh& mesh, const ConstraintTags& tags, VertexId v) {
-  std::vector<VertexId> ends;
-  for_each_side_around(mesh, v, [&](SideId s) {
-    if (tags.constrained(s)) ends.push_back(mesh.target(s));
-    const SideId in = mesh.previous(s);
-    if (!mesh.neighbour(in).valid()) ends.push_back(mesh.origin(in));
-  });
-  return ends;
+// What subdivide_in_space left fixed in the middle of a feature between two nodes slides on that feature.
+Support support_on_feature(const Mesh& mesh, const ConstraintTags& tags, const CurveNetwork& network,
+                           VertexId v) {
+  const Support support = tags.support[v];
+  if (!support.is_fixed() || support.is_node()) return support;
+  std::vector<Support> ends;
+  for_each_constrained_neighbour(mesh, tags, v, [&](VertexId w) { ends.push_back(tags.support[w]); });
+  if (ends.size() != 2 || !ends[0].is_node() || !ends[1].is_node()) return support;
+  const PieceId curve = network.under_edge(ends[0], ends[1], mesh.point3(v));
+  return curve.valid() ? Support::on(curve) : support;
 }
 
 }  // namespace
 
-void place_on_surface(Mesh& mesh, const ConstraintTags& given, const SurfaceModel& model,
+void place_on_surface(Mesh& mesh, ConstraintTags tags, const SurfaceModel& model,
                       const CurveNetwork& network) {
-  ConstraintTags tags = given;
-  auto normals = mesh.add_normals();
-  parallel::for_each(mesh.vertex_slots(), [&](std::size_t i) {
-    const VertexId v(i);
-    if (!mesh.alive(v)) return;
-    if (tags.support[v].is_free() || tags.support[v].slides() || tags.support[v].is_node()) return;
-    const std::vector<VertexId> ends = constrained_neighbours(mesh, tags, v);
-    if (ends.size() != 2 || !given.support[ends[0]].is_node() || !given.support[ends[1]].is_node()) return;
-    const PieceId curve = network.under_edge(given.support[ends[0]], given.support[ends[1]], mesh.point3(v));
-    if (curve.valid()) tags.support[v] = Support::on(curve);
-  });
+  // Read all before any is written: supports and places of neighbours are looked at.
+  std::vector<Support> supports(mesh.vertex_slots());
   std::vector<SpacePoint> places(mesh.vertex_slots());
   parallel::for_each(mesh.vertex_slots(), [&](std::size_t i) {
     const VertexId v(i);
     if (!mesh.alive(v)) return;
+    supports[i] = support_on_feature(mesh, tags, network, v);
     places[i] = {mesh.point3(v), Vec3()};
-    if (tags.support[v].is_free())
+    if (supports[i].is_free())
       places[i] = model.project({places[i].place, normal_around(mesh, v)});
-    else if (tags.support[v].slides())
-      places[i].place = network.project(tags.support[v].piece(), places[i].place);
+    else if (supports[i].slides())
+      places[i].place = network.project(supports[i].piece(), places[i].place);
   });
+  auto normals = mesh.add_normals();
   parallel::for_each(mesh.vertex_slots(), [&](std::size_t i) {
     const VertexId v(i);
     if (!mesh.alive(v)) return;
+    tags.support[v] = supports[i];
     mesh.set_point3(v, places[i].place);
     normals[v] = places[i].up;
   });

@@ -11,7 +11,7 @@ namespace quarry {
 // Free vertices go to the surface, those bound to a feature to its curve; those that subdivide_in_space left
 // fixed in the middle of a feature between two nodes are bound to it first. Gives the mesh its normals
 // (Mesh::add_normals): those of the surface at free vertices.
-void place_on_surface(Mesh& mesh, const ConstraintTags& tags, const SurfaceModel& model,
+void place_on_surface(Mesh& mesh, ConstraintTags tags, const SurfaceModel& model,
                       const CurveNetwork& network);
 
 // The normals at vertices that are on features or rims: the mean of those of the faces around, each vertex of

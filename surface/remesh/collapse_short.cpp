@@ -97,11 +97,8 @@ class CollapseShort {
   [[nodiscard]] bool keeps_feature(Plan way) const {
     const Mesh& mesh = state_.mesh;
     VertexId before;
-    for_each_side_around(mesh, way.gone, [&](SideId s) {
-      for (const SideId side : {s, mesh.previous(s)}) {
-        const VertexId other = mesh.origin(side) == way.gone ? mesh.target(side) : mesh.origin(side);
-        if (state_.tags.constrained(side) && other != way.kept) before = other;
-      }
+    for_each_constrained_neighbour(mesh, state_.tags, way.gone, [&](VertexId v) {
+      if (v != way.kept) before = v;
     });
     if (!before.valid() || mesh.find_side(before, way.kept).valid() ||
         mesh.find_side(way.kept, before).valid())

@@ -96,12 +96,8 @@ class RelocateMover {
 
   bool move_along(Mesh& mesh, VertexId v, PieceId curve) {
     std::vector<Vec3> ends;
-    for_each_side_around(mesh, v, [&](SideId s) {
-      if (state_->tags.constrained(s)) ends.push_back(mesh.point3(mesh.target(s)));
-      // On a rim the last side comes in from a neighbour and has no twin that goes out.
-      const SideId in = mesh.previous(s);
-      if (!mesh.neighbour(in).valid()) ends.push_back(mesh.point3(mesh.origin(in)));
-    });
+    for_each_constrained_neighbour(mesh, state_->tags, v,
+                                   [&](VertexId w) { ends.push_back(mesh.point3(w)); });
     if (ends.size() != 2) return false;
     const Vec3 target = state_->network.project(curve, 0.5 * (ends[0] + ends[1]));
     if (is_small(target - place_) || !fits(target, Vec3())) return false;

@@ -10,10 +10,6 @@
 
 namespace quarry {
 
-// The vertex tag (Vec3): the normal of the surface at a free vertex; zero at a vertex on a feature, which may
-// have several.
-inline constexpr const char* kSurfaceNormalTag = "surface_normal";
-
 // Lo's measure of a triangle in space: 1 if equilateral, 0 if flat. Has no sign.
 [[nodiscard]] inline double lo_measure(Vec3 a, Vec3 b, Vec3 c) {
   const Vec3 ab = b - a, bc = c - b, ca = a - c;
