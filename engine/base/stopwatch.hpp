@@ -22,4 +22,12 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
+// Runs work() and adds its seconds to a sum.
+template <class Work>
+void add_time(double& seconds, const Work& work) {
+  const Stopwatch watch;
+  work();
+  seconds += watch.seconds();
+}
+
 }  // namespace quarry

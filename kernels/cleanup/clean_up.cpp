@@ -24,14 +24,14 @@ class CleanUp {
 
   void run() {
     progress_.report("clean-up", 0);
-    timed(report_.smoothing_seconds, [&] { smooth_between(); });
-    timed(report_.local_seconds, [&] {
+    add_time(report_.smoothing_seconds, [&] { smooth_between(); });
+    add_time(report_.local_seconds, [&] {
       open();
       report_.local = clean_up_locally(mesh_, PlaneModel(), options_.local, progress_);
       close();
     });
     if (options_.level != CleanUpLevel::kLocal) remesh();
-    timed(report_.smoothing_seconds, [&] {
+    add_time(report_.smoothing_seconds, [&] {
       report_.shape = sweep(options_.shape);
       report_.square_corners = square_corners(mesh_, lines_, options_.square_corners, progress_);
       report_.optimise = optimise_corners(mesh_, lines_, options_.optimise, progress_);
@@ -39,13 +39,6 @@ class CleanUp {
   }
 
  private:
-  template <class Work>
-  void timed(double& seconds, const Work& work) {
-    const Stopwatch watch;
-    work();
-    seconds += watch.seconds();
-  }
-
   void open() {
     cut_open(mesh_, ConstraintTags::of(mesh_));
     set_ideal_faces(mesh_, PlaneModel());
@@ -76,12 +69,12 @@ class CleanUp {
       progress_.report("clean-up", static_cast<double>(i + 1) / static_cast<double>(classes.size() + 1));
       patches.largest = classes[i];
       if (!fewest && patches.largest > options_.thorough) patches.directions = 0;
-      timed(report_.patch_seconds, [&] {
+      add_time(report_.patch_seconds, [&] {
         open();
         report_.patches.push_back(remesh_patches(mesh_, PlaneModel(), patches, memory, progress_));
         close();
       });
-      timed(report_.smoothing_seconds, [&] { smooth_between(); });
+      add_time(report_.smoothing_seconds, [&] { smooth_between(); });
     }
     mesh_.remove_tag<FaceId>(kSignatureTag);
   }

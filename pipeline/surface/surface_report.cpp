@@ -20,17 +20,18 @@ struct RepairLine {
 };
 
 std::array<RepairLine, 10> repair_lines(const RepairReport& repair) {
-  return {{{"welded_points", "points that went into another", repair.welded},
-           {"unused_points", "points without a triangle left out", repair.unused},
-           {"degenerate_triangles", "triangles of fewer than three points left out", repair.degenerate},
-           {"duplicate_triangles", "triangles that were there twice left out", repair.duplicate},
-           {"turned_triangles", "triangles turned to face as their neighbours do", repair.turned},
-           {"filled_holes", "holes filled", repair.filled_holes},
-           {"flat_triangles", "triangles without area kept", repair.flat},
-           {"branch_edges", "edges of three triangles or more kept: the sheets meet there", repair.branches},
-           {"pinch_points", "points in which the surface touches itself, one vertex for each fan of triangles",
-            repair.pinches},
-           {"seam_edges", "edges along which the one-sided surface is cut", repair.seams}}};
+  return {
+      {{"welded_points", "points that went into another", repair.welded},
+       {"unused_points", "points without a triangle left out", repair.unused},
+       {"degenerate_triangles", "triangles of fewer than three points left out", repair.degenerate},
+       {"duplicate_triangles", "triangles that were there twice left out", repair.duplicate},
+       {"turned_triangles", "triangles turned to face as their neighbours do", repair.turned},
+       {"filled_holes", "holes filled", repair.filled_holes},
+       {"flat_triangles", "triangles without area kept", repair.flat},
+       {"branch_edges", "edges of three triangles or more kept: the sheets meet there", repair.branches},
+       {"pinch_points", "points in which the surface touches itself, one vertex for each fan of triangles",
+        repair.pinches},
+       {"seam_edges", "edges along which the one-sided surface is cut", repair.seams}}};
 }
 
 std::string places_of(const RepairCount& count) {
@@ -44,6 +45,8 @@ std::string places_of(const RepairCount& count) {
 std::vector<ReportItem> resolved_options(const SurfaceOptions& options, const SurfaceResult& result) {
   return {{"size", result.size},
           {"elements", std::string(options.elements == Elements::kTriangle ? "tri" : "quad")},
+          {"cleanup", std::string(name_of(options.elements == Elements::kTriangle ? CleanUpLevel::kNone
+                                                                                  : options.cleanup))},
           {"sharp", result.features.sharp_degrees},
           {"weld", options.repair.weld},
           {"fill-holes", std::int64_t{options.repair.fill_holes}}};
@@ -72,6 +75,8 @@ JobReport report_surface(const SurfaceOptions& options, const SurfaceResult& res
           fmt::format("{} {}, at{}", line.count.count, line.action, places_of(line.count)));
   }
   report.quality = std::move(quality);
+  if (options.elements != Elements::kTriangle && options.cleanup != CleanUpLevel::kNone)
+    report.clean_up = result.quads.clean_up;
   for (const StageTime& stage : result.times) report.times.emplace_back(stage.name, stage.seconds);
   return report;
 }

@@ -1,11 +1,11 @@
 #include "surface/quads/quads.hpp"
 
 #include <utility>
+#include <vector>
 
 #include "engine/base/stopwatch.hpp"
 #include "engine/mesh/compact.hpp"
 #include "engine/mesh/sectors.hpp"
-#include "engine/parallel/parallel.hpp"
 #include "kernels/cleanup/ideal.hpp"
 #include "kernels/cleanup/local.hpp"
 #include "kernels/cleanup/patch_memory.hpp"
@@ -32,7 +32,7 @@ class SurfaceQuads {
         progress_(progress) {}
 
   Mesh run() {
-    timed(report_.pairing_seconds, [&] { make_quads(); });
+    make_quads();
     smooth(options_.first_sweeps);
     if (options_.cleanup != CleanUpLevel::kNone) clean_up();
     smooth(options_.last_sweeps);
@@ -40,13 +40,6 @@ class SurfaceQuads {
   }
 
  private:
-  template <class Work>
-  void timed(double& seconds, const Work& work) {
-    const Stopwatch watch;
-    work();
-    seconds += watch.seconds();
-  }
-
   void make_quads() {
     progress_.report("pairing", 0);
     const Pairing pairing =
@@ -58,9 +51,9 @@ class SurfaceQuads {
 
   void clean_up() {
     progress_.report("clean-up", 0);
-    timed(report_.local_seconds, [&] {
+    add_time(report_.clean_up.local_seconds, [&] {
       open();
-      report_.local = clean_up_locally(mesh_, space(), options_.local, progress_);
+      report_.clean_up.local = clean_up_locally(mesh_, space(), options_.local, progress_);
       close();
     });
     if (options_.cleanup == CleanUpLevel::kLocal) return;
@@ -75,9 +68,9 @@ class SurfaceQuads {
     for (std::size_t i = 0; i < classes.size(); ++i) {
       progress_.report("clean-up", static_cast<double>(i + 1) / static_cast<double>(classes.size() + 1));
       patches.largest = classes[i];
-      timed(report_.patch_seconds, [&] {
+      add_time(report_.clean_up.patch_seconds, [&] {
         open();
-        report_.patches.push_back(remesh_patches(mesh_, space(), patches, memory, progress_));
+        report_.clean_up.patches.push_back(remesh_patches(mesh_, space(), patches, memory, progress_));
         close();
       });
       smooth(options_.sweeps_between);
@@ -100,7 +93,7 @@ class SurfaceQuads {
 
   // All free vertices; those on features stay.
   void smooth(int sweeps) {
-    timed(report_.smoothing_seconds, [&] {
+    add_time(report_.clean_up.smoothing_seconds, [&] {
       const ConstraintTags tags = ConstraintTags::of(mesh_);
       set_feature_normals(mesh_, tags);
       std::vector<VertexId> movable;

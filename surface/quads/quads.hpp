@@ -3,8 +3,6 @@
 // chains of edges.
 #pragma once
 
-#include <vector>
-
 #include "engine/base/progress.hpp"
 #include "engine/mesh/mesh.hpp"
 #include "kernels/cleanup/clean_up.hpp"
@@ -36,9 +34,7 @@ struct SurfaceQuadOptions {
 struct SurfaceQuadReport {
   PairingReport pairing;
   SubdivideReport subdivide;
-  LocalCleanupReport local;
-  std::vector<PatchReport> patches;  // one a size class
-  double pairing_seconds = 0, smoothing_seconds = 0, local_seconds = 0, patch_seconds = 0;
+  CleanUpReport clean_up;  // all smoothing is in its smoothing_seconds
 };
 
 // triangles: as remesh_surface leaves them, about two wanted edges long; consumed. The quads have edges half
