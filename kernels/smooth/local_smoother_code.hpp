@@ -242,7 +242,7 @@ bool LocalSmoother<Model>::move(std::uint32_t i, double regularisation, ShapeSta
       return false;
     const Point target = model_->project(frame.at(step));
     // What lies farther from where the step led than the step was long is another sheet, or round an edge.
-    if (squared_length(frame.relative(target) - step) > squared_length(step)) continue;
+    if (kInSpace && squared_length(frame.relative(target) - step) > squared_length(step)) continue;
     if (!(star.value(frame.relative(target), eps) < here.value)) continue;
     if (!untangling && !keeps_valid(i, target)) continue;
     points_[i] = target;

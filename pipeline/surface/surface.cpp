@@ -66,8 +66,7 @@ class SurfaceJob {
       SurfaceQuadOptions quads;
       quads.cleanup = options_.cleanup;
       quads.edge = result_.size;
-      quads.wanted_faces =
-          static_cast<std::size_t>(area_of(repaired.surface) / (result_.size * result_.size));
+      quads.wanted_faces = static_cast<std::size_t>(area_ / (result_.size * result_.size));
       mesh = make_surface_quads(std::move(mesh), model, network, quads, result_.quads, progress_);
     }
     clock_.start("finishing");
@@ -83,7 +82,7 @@ class SurfaceJob {
 
  private:
   void find_size(const TriangleSurface& surface) {
-    const double area = area_of(surface);
+    const double area = area_ = area_of(surface);
     if (!(area > 0)) throw Error(ErrorKind::kGeometry, "the surface has no area");
     result_.size = options_.size ? *options_.size
                                  : std::sqrt(area / (element_area(options_.elements) * *options_.count));
@@ -130,6 +129,11 @@ class SurfaceJob {
   void set_regions(const TriangleSurface& surface, const SurfaceModel& model) {
     Mesh& mesh = result_.mesh;
     const ConstraintTags tags = ConstraintTags::of(mesh);
+    const std::vector<std::int32_t>& groups = surface.groups;
+    if (std::equal(groups.begin() + 1, groups.end(), groups.begin())) {
+      mesh.add_tag<FaceId, std::int32_t>("region", groups.front());
+      return;
+    }
     auto region = mesh.add_tag<FaceId, std::int32_t>("region", -1);
     std::vector<FaceId> part;
     for (const FaceId first : mesh.faces()) {
@@ -140,7 +144,7 @@ class SurfaceJob {
       for (std::size_t i = 0; i < part.size(); ++i) {
         const Vec3 middle =
             0.5 * (mesh.point3(mesh.corner(part[i], 0)) + mesh.point3(mesh.corner(part[i], 2)));
-        ++votes[surface.groups[model.nearest_triangle({middle, Vec3()}).value()]];
+        ++votes[groups[model.nearest_triangle({middle, Vec3()}).value()]];
         for (int k = 0; k < mesh.corner_count(part[i]); ++k) {
           const SideId s(part[i], k);
           const SideId t = mesh.neighbour(s);
@@ -191,6 +195,7 @@ class SurfaceJob {
   const SurfaceOptions& options_;
   const Progress& progress_;
   StageClock clock_;
+  double area_ = 0;  // of the repaired surface
   SurfaceResult result_;
 };
 

@@ -25,13 +25,14 @@ struct FeatureEdge {
   friend bool operator==(const FeatureEdge&, const FeatureEdge&) = default;
 };
 
-// All features, ascending by their ends. Of several kinds an edge has the last in the order of FeatureKind.
-// Sharp edges are found with hysteresis: a chain begins at an edge that is sharp and goes on along edges that
-// are nearly so; what stays short, or hangs loose by a short end, is left out.
 struct FeatureEdges {
   std::vector<FeatureEdge> edges;
   double sharp_degrees = 0;  // as used
 };
+
+// All features, ascending by their ends. Of several kinds an edge has the last in the order of FeatureKind.
+// Sharp edges are found with hysteresis: a chain begins at an edge that is sharp and goes on along edges that
+// are nearly so; what stays short, or hangs loose by a short end, is left out.
 [[nodiscard]] FeatureEdges find_feature_edges(const RepairedSurface& repaired, const FeatureOptions& options);
 
 }  // namespace quarry

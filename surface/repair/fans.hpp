@@ -8,8 +8,8 @@
 
 namespace quarry {
 
-// Corners at one point belong to one fan if one gets from the one to the other over edges of two triangles that agree on
-// which side is up. Corner k of triangle t has the number 3 t + k.
+// Corners at one point belong to one fan if one gets from the one to the other over edges of two triangles
+// that agree on which side is up. Corner k of triangle t has the number 3 t + k.
 class Fans {
  public:
   Fans(const TriangleSurface& surface, const SurfaceEdges& edges);
