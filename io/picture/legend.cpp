@@ -101,7 +101,7 @@ std::string grouped_digits(std::size_t number) {
 void draw_legend(Canvas& canvas, const PictureView& view, const Mesh& mesh, const PictureOptions& options) {
   LegendWriter legend(canvas, view);
   legend.write_scale();
-  legend.write_counts(mesh, options.window.has_value());
+  legend.write_counts(mesh, options.window || options.around);
   if (options.colours == PictureColours::kQuality) legend.write_quality(options.quality_name);
 }
 

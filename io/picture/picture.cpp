@@ -10,6 +10,7 @@
 #include "io/picture/edge_layer.hpp"
 #include "io/picture/face_layer.hpp"
 #include "io/picture/legend.hpp"
+#include "io/picture/space_layer.hpp"
 
 namespace quarry {
 namespace {
@@ -45,8 +46,10 @@ void check(const std::string& path, const Mesh& mesh, const PictureOptions& opti
   };
   if (options.width < kNarrowest || options.width > kWidest)
     refuse(fmt::format("a picture is {} to {} pixels wide, not {}", kNarrowest, kWidest, options.width));
-  if (!mesh.planar()) refuse("only meshes of the plane can be drawn");
   if (mesh.count_alive_faces() == 0) refuse("a mesh without faces cannot be drawn");
+  if (options.window && !mesh.planar()) refuse("a mesh in space has no window: show a part around a place");
+  if (options.around && mesh.planar()) refuse("a mesh of the plane is shown in part by a window");
+  if (options.around && !(options.around->radius > 0)) refuse("the radius of what is shown must be above 0");
   if (options.window && !(options.window->width() > 0 && options.window->height() > 0))
     refuse("the window of a picture needs a width and a height");
   if (options.window && !shows_a_face(mesh, *options.window)) {
@@ -74,11 +77,7 @@ void frame_window(Canvas& canvas, const PictureView& view) {
   canvas.stroke({0.45, 0.48, 0.53}, 1.0, 1.5 * view.unit());
 }
 
-}  // namespace
-
-void write_picture(const std::string& path, const Mesh& mesh, const PictureOptions& options) {
-  const Canvas::Format format = format_of(path);
-  check(path, mesh, options);
+std::string draw_plane(Canvas::Format format, const Mesh& mesh, const PictureOptions& options) {
   const PictureView view(options.window.value_or(mesh.box()), options.width);
   Canvas canvas(format, view.width(), view.height());
   cairo_save(canvas.context());
@@ -89,7 +88,28 @@ void write_picture(const std::string& path, const Mesh& mesh, const PictureOptio
   cairo_restore(canvas.context());
   if (options.window) frame_window(canvas, view);
   draw_legend(canvas, view, mesh, options);
-  write_file(path, canvas.take_bytes());
+  return canvas.take_bytes();
+}
+
+std::string draw_space(const std::string& path, Canvas::Format format, const Mesh& mesh,
+                       const PictureOptions& options) {
+  const SeenMesh seen = see_mesh(mesh, options);
+  if (seen.faces.empty())
+    throw Error(ErrorKind::kUsage, fmt::format("{}: no face lies in the ball that is to be shown", path));
+  const PictureView view(seen.box, options.width);
+  Canvas canvas(format, view.width(), view.height());
+  draw_in_space(canvas, view, seen, options);
+  draw_legend(canvas, view, mesh, options);
+  return canvas.take_bytes();
+}
+
+}  // namespace
+
+void write_picture(const std::string& path, const Mesh& mesh, const PictureOptions& options) {
+  const Canvas::Format format = format_of(path);
+  check(path, mesh, options);
+  write_file(path,
+             mesh.planar() ? draw_plane(format, mesh, options) : draw_space(path, format, mesh, options));
 }
 
 void check_picture_extension(const std::string& path) { static_cast<void>(format_of(path)); }

@@ -70,7 +70,7 @@ void PatchCommit<Model>::apply(MeshEditor& editor, Item item, const Plan& /*plan
   const typename ScratchPool<Worker>::Loan worker(workers_);
   const double before = smallest_before(editor, proposal);
   const double ratio = largest_edge_ratio(editor.mesh(), proposal.faces);
-  const double longest = options_->longest_edge > 0 ? longest_edge(editor.mesh(), proposal.faces) : 0;
+  const double longest = longest_allowed(editor.mesh(), proposal.faces);
   const double energy = energy_of(editor.mesh(), proposal.inner) + energy_of(editor.mesh(), proposal.rim);
   save(editor, proposal, *worker);
   place(editor, proposal, ids, *worker);
@@ -81,8 +81,7 @@ void PatchCommit<Model>::apply(MeshEditor& editor, Item item, const Plan& /*plan
   const bool good =
       after > 0 && after >= wanted &&
       largest_edge_ratio(editor.mesh(), made) <= std::max(options_->largest_edge_ratio, ratio) &&
-      (options_->longest_edge == 0 ||
-       longest_edge(editor.mesh(), made) <= std::max(options_->longest_edge, longest));
+      (options_->longest_edge == 0 || longest_edge(editor.mesh(), made) <= longest);
   if (good)
     for (const VertexId v : worker->vertices) stars_->update(editor.mesh(), v);
   const bool gains = good && energy_of(editor.mesh(), worker->vertices) < energy;
@@ -203,6 +202,19 @@ double PatchCommit<Model>::longest_edge(const Mesh& mesh, std::span<const FaceId
       longest = std::max(longest, length(mesh.point3(mesh.corner(f, (k + 1) % mesh.corner_count(f))) -
                                          mesh.point3(mesh.corner(f, k))));
   return longest;
+}
+
+template <GeometryModel Model>
+double PatchCommit<Model>::longest_allowed(const Mesh& mesh, std::span<const FaceId> faces) const {
+  if (options_->longest_edge == 0) return 0;
+  double area = 0;
+  for (const FaceId f : faces) {
+    const auto corner = [&](int k) { return mesh.point3(mesh.corner(f, k)); };
+    area += mesh.corner_count(f) == 4 ? 0.5 * length(cross(corner(2) - corner(0), corner(3) - corner(1)))
+                                      : 0.5 * length(cross(corner(1) - corner(0), corner(2) - corner(0)));
+  }
+  return std::max(options_->longest_edge * std::sqrt(area / static_cast<double>(faces.size())),
+                  longest_edge(mesh, faces));
 }
 
 template <GeometryModel Model>

@@ -9,9 +9,9 @@
 
 #include "engine/geometry/model.hpp"
 #include "engine/operation/pass.hpp"
+#include "engine/parallel/scratch_pool.hpp"
 #include "kernels/cleanup/patch_layout.hpp"
 #include "kernels/cleanup/patch_memory.hpp"
-#include "kernels/cleanup/patch_scratch.hpp"
 #include "kernels/cleanup/patch_search.hpp"
 #include "kernels/local/replace.hpp"
 #include "kernels/smooth/local_smoother.hpp"
@@ -49,6 +49,8 @@ class PatchCommit {
                                       Worker& worker) const;
   [[nodiscard]] double largest_edge_ratio(const Mesh& mesh, std::span<const FaceId> faces) const;
   [[nodiscard]] double longest_edge(const Mesh& mesh, std::span<const FaceId> faces) const;
+  // How long edges may become in the place of these faces, by the options.
+  [[nodiscard]] double longest_allowed(const Mesh& mesh, std::span<const FaceId> faces) const;
   [[nodiscard]] double energy_of(const Mesh& mesh, std::span<const VertexId> vertices) const;
 
   const Model* model_;

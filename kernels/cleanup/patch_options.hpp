@@ -30,7 +30,8 @@ struct PatchOptions {
   double least_jacobian = 0.3;
   // Nor may the longest edge of one of its faces by the shortest be more than this, or than it was before.
   double largest_edge_ratio = 6;
-  // Nor may an edge be longer than this, or than there was one before, in input units. 0: any may.
+  // Nor may an edge be longer than so many times the root of the mean area of the faces before, or than there
+  // was one before. 0: any may.
   double longest_edge = 0;
   LocalShapeOptions smoothing{.sweeps = 4};
   IrregularPrice price;  // empty: all places cost the same

@@ -19,12 +19,16 @@ namespace quarry {
 struct LocalShapeOptions {
   int untangling_sweeps = 12;  // at most; they end with the first after which all faces are valid
   int sweeps = 6;              // at most; they end when nothing moves any more
+  // The wanted area of a quad is the mean of the region (kAllAlike), or the mean of the star of each vertex,
+  // averaged so many times with those of the stars around.
+  static constexpr int kAllAlike = -1;
+  int area_averages = kAllAlike;
   ShapeTarget target = {};
 };
 
 // Works on a copy of the region, which each sweep reads in order, and writes the places back at the end. One
-// Newton step a vertex and sweep on the energy of kernels/smooth/shape_star.hpp, with the mean area of the
-// region as the wanted one. Keeps its memory from one run to the next: one a thread.
+// Newton step a vertex and sweep on the energy of kernels/smooth/shape_star.hpp. Keeps its memory from one
+// run to the next: one a thread.
 template <GeometryModel Model>
 class LocalSmoother {
  public:
@@ -57,6 +61,7 @@ class LocalSmoother {
   void gather_star(const MeshEditor& editor, VertexId v, std::uint32_t number);
   void colour();
   void find_mean_area();
+  void find_areas(int averages);
   [[nodiscard]] bool valid(const FaceNumbers& face) const;
   [[nodiscard]] bool all_valid() const;
   [[nodiscard]] double quality(const FaceNumbers& face) const;
@@ -89,6 +94,7 @@ class LocalSmoother {
   std::vector<std::vector<std::uint32_t>> classes_;  // of large sets: no two of a class share a face
   ShapeStar star_;                                   // with the target of this run
   double area_ = 1;                                  // wanted, of a quad
+  std::vector<double> areas_;                        // the same by movable vertex, if they are to differ
 };
 
 extern template class LocalSmoother<PlaneModel>;

@@ -48,6 +48,8 @@ double LocalSmoother<Model>::run(MeshEditor& editor, std::span<const VertexId> m
                                  const LocalShapeOptions& options) {
   gather(editor, movable);
   find_mean_area();
+  areas_.clear();
+  if (options.area_averages != LocalShapeOptions::kAllAlike) find_areas(options.area_averages);
   star_ = ShapeStar(options.target);
   if (movable.size() >= kParallel) colour();
   bool valid = all_valid();
@@ -152,6 +154,40 @@ void LocalSmoother<Model>::find_mean_area() {
   area_ = std::max(area, kThin * squares) / std::max(count, 0.5);
 }
 
+// Of the faces around each vertex; then with those of the movable vertices around, and its own as all of
+// them.
+template <GeometryModel Model>
+void LocalSmoother<Model>::find_areas(int averages) {
+  const std::size_t count = begin_.size() - 1;
+  areas_.resize(count);
+  parallel::for_each(count, [&](std::size_t i) {
+    const auto frame = frame_at(*model_, points_[i]);
+    double area = 0, faces = 0;
+    for_each_face(static_cast<std::uint32_t>(i), [&](std::uint32_t next, std::uint32_t opposite,
+                                                     std::uint32_t previous) {
+      const bool quad = opposite != kNone;
+      const Vec2 out = frame.relative(points_[next]);
+      area += 0.5 * std::abs(local_smoother::doubled_area(out, quad ? frame.relative(points_[opposite]) : out,
+                                                          frame.relative(points_[previous])));
+      faces += quad ? 1 : 0.5;
+    });
+    areas_[i] = area / std::max(faces, 0.5);
+  });
+  std::vector<double> before;
+  for (int round = 0; round < averages; ++round) {
+    before = areas_;
+    parallel::for_each(count, [&](std::size_t i) {
+      double sum = 0, weight = 0;
+      for (const StarCorner& corner : star_of(i)) {
+        if (corner.next >= count) continue;
+        sum += before[corner.next];
+        weight += 1;
+      }
+      if (weight > 0) areas_[i] = 0.5 * (before[i] + sum / weight);
+    });
+  }
+}
+
 template <GeometryModel Model>
 bool LocalSmoother<Model>::valid(const FaceNumbers& face) const {
   const std::size_t corners = face[2] == kNone ? 3 : 4;
@@ -217,18 +253,19 @@ std::size_t LocalSmoother<Model>::move_all(std::span<const std::uint32_t> member
 template <GeometryModel Model>
 bool LocalSmoother<Model>::move(std::uint32_t i, double regularisation, ShapeStar& star) {
   const auto frame = frame_at(*model_, points_[i]);
+  const double area = areas_.empty() ? area_ : areas_[i];
   star.clear();
   for_each_face(i, [&](std::uint32_t next, std::uint32_t opposite, std::uint32_t previous) {
     const Vec2 out = frame.relative(points_[next]);
     const Vec2 back = frame.relative(points_[previous]);
     if (opposite == kNone)
-      star.add_triangle(out, back, area_);
+      star.add_triangle(out, back, area);
     else
-      star.add_quad(out, frame.relative(points_[opposite]), back, area_);
+      star.add_quad(out, frame.relative(points_[opposite]), back, area);
   });
   const bool untangling = regularisation > 0;
   const double edge = star.mean_squared_edge();
-  double eps = regularisation * area_;
+  double eps = regularisation * area;
   if (!untangling) {
     star.follow_stretch();
     if (star.has_corner_below(local_smoother::kFlat)) eps = local_smoother::kFlat * edge;

@@ -10,6 +10,7 @@
 #include "engine/base/error.hpp"
 #include "engine/base/log.hpp"
 #include "io/mesh/mesh_format.hpp"
+#include "io/page/page.hpp"
 #include "io/picture/picture.hpp"
 #include "kernels/quality/face.hpp"
 #include "pipeline/cli/commands.hpp"
@@ -19,6 +20,7 @@
 #include "pipeline/cli/irregular_price.hpp"
 #include "pipeline/cli/mixed_quality.hpp"
 #include "pipeline/cli/outputs.hpp"
+#include "pipeline/cli/page_output.hpp"
 #include "pipeline/cli/progress_bar.hpp"
 #include "pipeline/cli/summary_text.hpp"
 #include "pipeline/improve/improve_report.hpp"
@@ -30,7 +32,7 @@ namespace {
 struct ImproveArguments {
   ImproveOptions improve;
   CommonArguments common;
-  std::string output, report, picture, config;
+  std::string output, report, picture, page, config;
   std::string cleanup = "full", elements = "same";
   std::optional<double> mixed_quality;
   std::vector<std::string> require;
@@ -44,11 +46,12 @@ void check(ImproveArguments& arguments) {
   check_readable_extension(arguments.improve.input);
   check_writable_extension(arguments.output);
   if (!arguments.picture.empty()) check_picture_extension(arguments.picture);
+  if (!arguments.page.empty()) check_page_extension(arguments.page);
   arguments.improve.cleanup = clean_up_level_of(arguments.cleanup);
   const double mixed_quality = mixed_quality_of(arguments.elements, arguments.mixed_quality);
   if (arguments.elements == "mixed") arguments.improve.mixed_quality = mixed_quality;
   check_irregular_price(arguments.improve.irregular_price, arguments.improve.cleanup);
-  check_outputs({arguments.output, arguments.report, arguments.picture},
+  check_outputs({arguments.output, arguments.report, arguments.picture, arguments.page},
                 {arguments.improve.input, price_file(arguments.improve.irregular_price)});
 }
 
@@ -75,6 +78,7 @@ void write_job_report(const ImproveArguments& arguments, const ImproveResult& re
   report.options.insert(report.options.end(), {{"output", arguments.output},
                                                {"report", arguments.report},
                                                {"picture", arguments.picture},
+                                               {"page", arguments.page},
                                                {"compress", arguments.compress},
                                                {"require", arguments.require},
                                                {"config", arguments.config}});
@@ -111,6 +115,7 @@ void run(ImproveArguments& arguments) {
   clock.start("writing");
   write_mesh_file(arguments, result, hash);
   if (!arguments.picture.empty()) write_picture(arguments.picture, result.mesh, PictureOptions());
+  if (!arguments.page.empty()) write_mesh_page(arguments.page, result.mesh, quality, arguments.improve.input);
   clock.stop();
   result.times.insert(result.times.end(), clock.times().begin(), clock.times().end());
   write_job_report(arguments, result, hash, quality);
@@ -148,6 +153,8 @@ void add_options(CLI::App& command, ImproveArguments& arguments) {
   option("--report", arguments.report, "FILE.json", output, "counts, times, quality before and after; JSON");
   option("--picture", arguments.picture, "FILE.svg|.png", output,
          "a drawing of the mesh with its lines on top");
+  option("--page", arguments.page, "FILE.html", output,
+         "a page with a view that turns, and the quality; needs no network");
   command.add_flag("--compress", arguments.compress, "zlib in a .vtu: about half the bytes, slower to write")
       ->group(output);
   option("--require", arguments.require, "FIGURE=LIMIT", output,

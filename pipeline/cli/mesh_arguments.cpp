@@ -98,6 +98,11 @@ void add_output_options(CLI::App& command, MeshArguments& arguments) {
   command.add_option("--picture", arguments.picture, "a drawing of the mesh with its lines on top")
       ->type_name("FILE.svg|.png")
       ->group(group);
+  command
+      .add_option("--page", arguments.page,
+                  "a page with a view that turns, and the quality; needs no network")
+      ->type_name("FILE.html")
+      ->group(group);
   command.add_flag("--compress", arguments.compress, "zlib in a .vtu: about half the bytes, slower to write")
       ->group(group);
   command

@@ -17,7 +17,7 @@ namespace quarry::cli {
 struct MeshArguments {
   SectionOptions section;
   CommonArguments common;
-  std::string output, report, picture, config;
+  std::string output, report, picture, page, config;
   std::vector<std::string> require;
   bool compress = false;
 

@@ -9,6 +9,7 @@
 #include "engine/base/error.hpp"
 #include "engine/base/log.hpp"
 #include "io/mesh/mesh_format.hpp"
+#include "io/page/page.hpp"
 #include "io/picture/picture.hpp"
 #include "kernels/quality/face.hpp"
 #include "kernels/quality/summary.hpp"
@@ -17,6 +18,7 @@
 #include "pipeline/cli/mesh_arguments.hpp"
 #include "pipeline/cli/mesh_surface_command.hpp"
 #include "pipeline/cli/outputs.hpp"
+#include "pipeline/cli/page_output.hpp"
 #include "pipeline/cli/progress_bar.hpp"
 #include "pipeline/cli/summary_text.hpp"
 #include "pipeline/section/price_source.hpp"
@@ -40,11 +42,12 @@ void check(MeshArguments& arguments) {
   fill_section(arguments);
   check_writable_extension(arguments.output);
   if (!arguments.picture.empty()) check_picture_extension(arguments.picture);
+  if (!arguments.page.empty()) check_page_extension(arguments.page);
   if (!arguments.section.start_file.empty()) check_readable_extension(arguments.section.start_file);
   std::vector<std::string> inputs = arguments.section.inputs;
   inputs.insert(inputs.end(), {arguments.section.boundary, arguments.section.start_file,
                                price_file(arguments.section.irregular_price)});
-  check_outputs({arguments.output, arguments.report, arguments.picture}, inputs);
+  check_outputs({arguments.output, arguments.report, arguments.picture, arguments.page}, inputs);
 }
 
 void write_mesh_file(const MeshArguments& arguments, const SectionResult& result, const std::string& hash) {
@@ -64,6 +67,7 @@ void add_running_options(const MeshArguments& arguments, JobReport& report) {
                                                {"output", arguments.output},
                                                {"report", arguments.report},
                                                {"picture", arguments.picture},
+                                               {"page", arguments.page},
                                                {"compress", arguments.compress},
                                                {"require", arguments.require},
                                                {"config", arguments.config}});
@@ -83,7 +87,8 @@ void write_job_report(const MeshArguments& arguments, const SectionResult& resul
 
 // Measuring takes a few per cent of a job.
 bool someone_asks_for_quality(const MeshArguments& arguments) {
-  return !arguments.common.quiet || !arguments.report.empty() || !arguments.require.empty();
+  return !arguments.common.quiet || !arguments.report.empty() || !arguments.page.empty() ||
+         !arguments.require.empty();
 }
 
 void run(MeshArguments& arguments) {
@@ -116,6 +121,8 @@ void run(MeshArguments& arguments) {
   }
   write_mesh_file(arguments, result, hash);
   if (!arguments.picture.empty()) write_picture(arguments.picture, result.mesh, PictureOptions());
+  if (!arguments.page.empty())
+    write_mesh_page(arguments.page, result.mesh, quality, arguments.section.inputs.front());
   clock.stop();
   result.times.insert(result.times.end(), clock.times().begin(), clock.times().end());
   write_job_report(arguments, result, hash, quality);

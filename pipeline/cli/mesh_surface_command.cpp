@@ -12,11 +12,14 @@
 #include "engine/base/log.hpp"
 #include "engine/mesh/pinch.hpp"
 #include "io/mesh/mesh_format.hpp"
+#include "io/page/page.hpp"
+#include "io/picture/picture.hpp"
 #include "kernels/quality/face.hpp"
 #include "kernels/quality/summary.hpp"
 #include "pipeline/cli/demands.hpp"
 #include "pipeline/cli/not_built.hpp"
 #include "pipeline/cli/outputs.hpp"
+#include "pipeline/cli/page_output.hpp"
 #include "pipeline/cli/progress_bar.hpp"
 #include "pipeline/cli/summary_text.hpp"
 #include "pipeline/report/input_hash.hpp"
@@ -50,7 +53,6 @@ void refuse_options_of_lines(const MeshArguments& arguments) {
   not_built(arguments.quads != "cluster", "--quads matching");
   not_built(!arguments.size_field.empty(), "--size-field");
   not_built(!section.irregular_price.empty(), "--irregular-price");
-  not_built(!arguments.picture.empty(), "--picture");
 }
 
 std::optional<double> sharpness_of(const std::string& text) {
@@ -132,7 +134,10 @@ void run_mesh_surface(MeshArguments& arguments) {
   const SurfaceOptions options = options_of(arguments);
   check_writable_extension(arguments.output);
   if (!arguments.repaired.empty()) check_writable_extension(arguments.repaired);
-  check_outputs({arguments.output, arguments.report, arguments.repaired}, options.inputs);
+  if (!arguments.picture.empty()) check_picture_extension(arguments.picture);
+  if (!arguments.page.empty()) check_page_extension(arguments.page);
+  check_outputs({arguments.output, arguments.report, arguments.repaired, arguments.picture, arguments.page},
+                options.inputs);
   const std::vector<Demand> demands = parse_demands(arguments.require);
   ProgressBar bar(!arguments.common.quiet);
   const Progress progress = bar.progress();
@@ -151,6 +156,8 @@ void run_mesh_surface(MeshArguments& arguments) {
   }
   write_mesh_file(arguments, options, result, hash);
   if (!arguments.repaired.empty()) write_repaired(arguments.repaired, result);
+  if (!arguments.picture.empty()) write_picture(arguments.picture, result.mesh, PictureOptions());
+  if (!arguments.page.empty()) write_mesh_page(arguments.page, result.mesh, quality, options.inputs.front());
   clock.stop();
   result.times.insert(result.times.end(), clock.times().begin(), clock.times().end());
   write_job_report(arguments, options, result, hash, quality);

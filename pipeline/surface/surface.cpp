@@ -18,6 +18,8 @@
 #include "surface/remesh/remesh.hpp"
 #include "surface/repair/sheets.hpp"
 #include "surface/repair/split_joins.hpp"
+#include "surface/size/detail_size.hpp"
+#include "surface/size/surface_sizes.hpp"
 
 namespace quarry {
 namespace {
@@ -35,6 +37,16 @@ double element_area(Elements elements) { return elements == Elements::kTriangle 
 // three, as about one in eight does.
 const double kTrianglesForQuads = std::sqrt(2.12 * 4 / std::sqrt(3.0));
 
+// How fast sizes grow away from details: by this share of the distance.
+constexpr double kGrowth = 0.3;
+// How much larger elements become elsewhere, at most, where details need more of a wanted number; and how
+// many more than their area asks for there may be, if the size is given.
+constexpr double kMostStretch = 1.25;
+constexpr double kMostForDetails = 1.25;
+// Where that does not do, details are meshed more coarsely, by up to this factor.
+constexpr double kMostLenient = 16;
+constexpr double kFitTolerance = 1e-3;
+
 class SurfaceJob {
  public:
   SurfaceJob(const SurfaceOptions& options, const Progress& progress)
@@ -46,12 +58,12 @@ class SurfaceJob {
     clock_.start("repairing");
     RepairedSurface repaired = repair_surface(std::move(surface), options_.repair);
     find_size(repaired.surface);
+    const double edge = result_.size * (makes_quads() ? kTrianglesForQuads : 1);
     RemeshOptions remesh;
-    remesh.edge = result_.size * (makes_quads() ? kTrianglesForQuads : 1);
-    split_joins(repaired, remesh.longest * remesh.edge);
+    split_joins(repaired, remesh.longest * edge);
     clock_.start("finding features");
     FeatureOptions features = options_.features;
-    features.size = remesh.edge;
+    features.size = edge;
     const FeatureEdges found = find_feature_edges(repaired, features);
     const CurveNetwork network = make_curve_network(repaired.surface, found.edges, features);
     count(found, network);
@@ -59,18 +71,23 @@ class SurfaceJob {
     mesh = make_sheets(repaired);
     const ConstraintTags tags = bind_features(mesh, network);
     const SurfaceModel model(mesh, tags);
+    clock_.start("finding sizes");
+    const SurfaceSizes sizes = find_sizes(edge);
+    if (options_.count) remesh.wanted_faces = area_ / (0.25 * std::sqrt(3.0) * edge * edge);
     clock_.start("remeshing");
-    result_.remesh = remesh_surface(mesh, model, network, remesh, progress_);
+    result_.remesh = remesh_surface(mesh, model, network, sizes, remesh, progress_);
     if (makes_quads()) {
       clock_.start("making quads");
       SurfaceQuadOptions quads;
       quads.cleanup = options_.cleanup;
-      quads.edge = result_.size;
-      quads.wanted_faces = static_cast<std::size_t>(area_ / (result_.size * result_.size));
+      quads.graded = !sizes.uniform();
+      // With a wanted edge and details as many as there are: the details need more.
+      if (options_.count || sizes.uniform())
+        quads.wanted_faces = static_cast<std::size_t>(area_ / (result_.size * result_.size));
       mesh = make_surface_quads(std::move(mesh), model, network, quads, result_.quads, progress_);
     }
     clock_.start("finishing");
-    require_valid();
+    require_valid(model);
     set_regions(repaired.surface, model);
     finish(network);
     result_.repaired = std::move(repaired.surface);
@@ -94,6 +111,33 @@ class SurfaceJob {
                               elements, options_.max_elements));
   }
 
+  // Where the surface has details elements are smaller.
+  [[nodiscard]] SurfaceSizes find_sizes(double edge) const {
+    const Mesh& mesh = result_.mesh;
+    DetailOptions details;
+    details.edge = edge;
+    SurfaceSizes sizes(mesh, detail_sizes(mesh, ConstraintTags::of(mesh), details), kGrowth, edge);
+    if (sizes.uniform()) return sizes;
+    const double wanted = area_ / (edge * edge) * (options_.count ? 1 : kMostForDetails);
+    if (options_.count)
+      fit(sizes, wanted, edge, kMostStretch * edge, [&](double longer) { sizes.set_edge(longer); });
+    fit(sizes, wanted, 1, kMostLenient, [&](double factor) { sizes.set_leniency(factor); });
+    return sizes;
+  }
+
+  // The least value from low to high with which no more squares have room than are wanted; else high.
+  template <class Set>
+  static void fit(const SurfaceSizes& sizes, double wanted, double low, double high, const Set& set) {
+    set(low);
+    if (sizes.squares() <= wanted) return;
+    while (high - low > kFitTolerance * low) {
+      const double middle = 0.5 * (low + high);
+      set(middle);
+      (sizes.squares() > wanted ? low : high) = middle;
+    }
+    set(high);
+  }
+
   void count(const FeatureEdges& found, const CurveNetwork& network) {
     FeatureCounts& counts = result_.features;
     counts.nodes = network.nodes.size();
@@ -109,20 +153,34 @@ class SurfaceJob {
 
   [[nodiscard]] bool makes_quads() const { return options_.elements != Elements::kTriangle; }
 
+  // Upside down on the surface: its own corners do not tell.
+  [[nodiscard]] bool lies_upside_down(const SurfaceModel& model, FaceId f) const {
+    const Mesh& mesh = result_.mesh;
+    const int count = mesh.corner_count(f);
+    const auto corner = [&](int k) { return mesh.point3(mesh.corner(f, k)); };
+    Vec3 middle;
+    for (int k = 0; k < count; ++k) middle = middle + (1.0 / count) * corner(k);
+    double size = 0;
+    for (int k = 0; k < count; ++k) size = std::max(size, length(corner(k) - middle));
+    const Vec3 normal = count == 4 ? cross(corner(2) - corner(0), corner(3) - corner(1))
+                                   : cross(corner(1) - corner(0), corner(2) - corner(0));
+    return !model.faces_along(middle, normal, 0.5 * size);
+  }
+
   // Where a wall or a gap is thinner than the elements are long, nothing good may be left to be done.
-  void require_valid() const {
+  void require_valid(const SurfaceModel& model) const {
     const Mesh& mesh = result_.mesh;
     const auto bad = parallel::filter_indices(mesh.face_slots(), [&](std::size_t i) {
-      return mesh.alive(FaceId(i)) && !(scaled_jacobian(mesh, FaceId(i)) > 0);
+      const FaceId f(i);
+      return mesh.alive(f) && (!(scaled_jacobian(mesh, f) > 0) || lies_upside_down(model, f));
     });
     if (bad.empty()) return;
     const Vec3 p = mesh.point3(mesh.corner(FaceId(bad.front()), 0));
-    throw Error(
-        ErrorKind::kGeometry,
-        fmt::format(
-            "{} elements are inverted, the first at ({:.9g}, {:.9g}, {:.9g}): the surface has details or "
-            "walls smaller than the elements there; take a smaller --size",
-            bad.size(), p.x, p.y, p.z));
+    throw Error(ErrorKind::kGeometry,
+                fmt::format("{} elements are inverted or upside down, the first at ({:.9g}, {:.9g}, {:.9g}): "
+                            "the surface has details or "
+                            "walls smaller than the elements there; take a smaller --size",
+                            bad.size(), p.x, p.y, p.z));
   }
 
   // Each part between features has the group that most of its faces lie on.
@@ -144,7 +202,7 @@ class SurfaceJob {
       for (std::size_t i = 0; i < part.size(); ++i) {
         const Vec3 middle =
             0.5 * (mesh.point3(mesh.corner(part[i], 0)) + mesh.point3(mesh.corner(part[i], 2)));
-        ++votes[groups[model.nearest_triangle({middle, Vec3()}).value()]];
+        ++votes[groups[model.nearest({middle, Vec3()}).triangle.value()]];
         for (int k = 0; k < mesh.corner_count(part[i]); ++k) {
           const SideId s(part[i], k);
           const SideId t = mesh.neighbour(s);

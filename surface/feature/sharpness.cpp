@@ -43,7 +43,7 @@ double find_sharpness(const TriangleSurface& surface, const SurfaceEdges& edges,
     const double sharp = between(angle, 181);
     if (sharp > 0 && sharp >= kContrast * between(angle / 2, angle)) return angle;
   }
-  return 180;
+  return kKnifeEdge;
 }
 
 }  // namespace quarry

@@ -14,7 +14,9 @@ namespace quarry {
 // In degrees: the smallest of 30, 35, ... 60 such that edges that turn by more are at least twice as long,
 // all together, as those that turn by between half of it and all of it. That parts made surfaces, whose edges
 // turn by little or by much, from scans, whose edges turn by whatever their size and noise make of them: of
-// these no angle is sharp, and 180 is returned.
+// these only the edges are sharp at which the surface turns back on itself, as at the rims of thin walls:
+// kKnifeEdge is returned.
+inline constexpr double kKnifeEdge = 110;
 [[nodiscard]] double find_sharpness(const TriangleSurface& surface, const SurfaceEdges& edges,
                                     const std::vector<double>& angles);
 

@@ -1,6 +1,7 @@
 #include "surface/model/surface_model.hpp"
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -36,15 +37,24 @@ SurfacePoint SurfaceModel::nearest(const SpacePoint& p) const {
   return found.triangle.valid() ? found : tree_.closest(p.place);
 }
 
-SpacePoint SurfaceModel::project(const SpacePoint& p) const {
-  const SurfacePoint found = nearest(p);
-  const CornerNormals& normals = normals_[found.triangle.value()];
-  const CornerWeights& w = found.weights;
+SpacePoint SurfaceModel::with_normal(const SurfacePoint& p) const {
+  const CornerNormals& normals = normals_[p.triangle.value()];
+  const CornerWeights& w = p.weights;
   const Vec3 sum = w[0] * normals[0] + w[1] * normals[1] + w[2] * normals[2];
   const double size = length(sum);
-  return {found.position, size > 0 ? (1 / size) * sum : normals[0]};
+  return {p.position, size > 0 ? (1 / size) * sum : normals[0]};
 }
 
-TriangleId SurfaceModel::nearest_triangle(const SpacePoint& p) const { return nearest(p).triangle; }
+SpacePoint SurfaceModel::project(const SpacePoint& p) const { return with_normal(nearest(p)); }
+
+bool SurfaceModel::faces_along(Vec3 place, Vec3 direction, double slack) const {
+  const double size = length(direction);
+  if (!(size > 0)) return false;
+  ClosestQuery query;
+  query.normal = (1 / size) * direction;
+  query.least_cosine = 0;
+  query.radius = std::sqrt(tree_.closest(place).squared_distance) + slack;
+  return tree_.closest(place, query).triangle.valid();
+}
 
 }  // namespace quarry

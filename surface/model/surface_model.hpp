@@ -18,12 +18,14 @@ class SurfaceModel : public SpaceModel {
   // The nearest point of the part of the surface whose triangles turn less than 80 degrees from p.up; of all
   // of it if there is none, or no direction is given (zero).
   [[nodiscard]] SpacePoint project(const SpacePoint& p) const override;
-  // The triangle in which project() finds its point.
-  [[nodiscard]] TriangleId nearest_triangle(const SpacePoint& p) const;
+  // In two steps: the point and its triangle, and the normal there.
+  [[nodiscard]] SurfacePoint nearest(const SpacePoint& p) const;
+  [[nodiscard]] SpacePoint with_normal(const SurfacePoint& p) const;
+  // False if all of the surface that lies about as near to a place as its nearest point, by no more than the
+  // slack, faces away from the direction: what faces so there lies upside down.
+  [[nodiscard]] bool faces_along(Vec3 place, Vec3 direction, double slack) const;
 
  private:
-  [[nodiscard]] SurfacePoint nearest(const SpacePoint& p) const;
-
   TriangleTree tree_;
   std::vector<CornerNormals> normals_;
 };

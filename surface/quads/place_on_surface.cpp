@@ -1,8 +1,13 @@
 #include "surface/quads/place_on_surface.hpp"
 
+#include <algorithm>
+#include <array>
+#include <span>
 #include <vector>
 
 #include "engine/parallel/parallel.hpp"
+#include "kernels/quality/space_face.hpp"
+#include "kernels/smooth/sweep.hpp"
 
 namespace quarry {
 namespace {
@@ -34,31 +39,90 @@ Support support_on_feature(const Mesh& mesh, const ConstraintTags& tags, const C
   return curve.valid() ? Support::on(curve) : support;
 }
 
+// Moves vertices to where they belong as far as the faces around them bear it: what halving leaves lies flat
+// in its triangle, and all at once some would be turned over where the surface bends much.
+class PlacingMover {
+ public:
+  PlacingMover(Tag<VertexId, Vec3> normals, std::span<const Vec3> targets)
+      : normals_(normals), targets_(targets) {}
+
+  [[nodiscard]] bool may_move(VertexId) const { return true; }
+  void first_look(const Mesh& mesh, WakeList& list) const {
+    parallel::for_each(mesh.vertex_slots(), [&](std::size_t i) {
+      const VertexId v(i);
+      if (mesh.alive(v) && !(mesh.point3(v) == targets_[i])) list.wake(v);
+    });
+  }
+
+  bool move(Mesh& mesh, VertexId v) const {
+    const Vec3 place = mesh.point3(v);
+    const Vec3 step = targets_[v.value()] - place;
+    if (step == Vec3()) return false;
+    const double content = std::min(kContent, worst_at(mesh, v, place));
+    for (const double share : {1.0, 0.5, 0.25}) {
+      const Vec3 target = share == 1 ? targets_[v.value()] : place + share * step;
+      if (worst_at(mesh, v, target) < content) continue;
+      mesh.set_point3(v, target);
+      return true;
+    }
+    return false;
+  }
+
+ private:
+  // No face may become worse that is worse than this.
+  static constexpr double kContent = 0.3;
+
+  [[nodiscard]] double worst_at(const Mesh& mesh, VertexId v, Vec3 place) const {
+    double worst = 1;
+    for_each_side_around(mesh, v, [&](SideId s) {
+      std::array<SpacePoint, 4> corners;
+      const auto count = static_cast<std::size_t>(mesh.corner_count(s.face()));
+      for (std::size_t k = 0; k < count; ++k) {
+        const VertexId w = mesh.corner(s.face(), static_cast<int>(k));
+        corners[k] = {w == v ? place : mesh.point3(w), normals_[w]};
+      }
+      worst = std::min(worst, scaled_jacobian_in_space(std::span(corners).first(count)));
+    });
+    return worst;
+  }
+
+  Tag<VertexId, Vec3> normals_;
+  std::span<const Vec3> targets_;
+};
+
+constexpr int kPlacingSweeps = 4;
+// The cosine of the angle between the normal of the surface and that of the faces around a vertex.
+constexpr double kLeastAgreement = 0.5;
+
 }  // namespace
 
-void place_on_surface(Mesh& mesh, ConstraintTags tags, const SurfaceModel& model,
-                      const CurveNetwork& network) {
-  // Read all before any is written: supports and places of neighbours are looked at.
+void place_on_surface(Mesh& mesh, ConstraintTags tags, const SurfaceModel& model, const CurveNetwork& network,
+                      const Progress& progress) {
+  // Read all before any is written: supports of neighbours are looked at.
   std::vector<Support> supports(mesh.vertex_slots());
-  std::vector<SpacePoint> places(mesh.vertex_slots());
-  parallel::for_each(mesh.vertex_slots(), [&](std::size_t i) {
-    const VertexId v(i);
-    if (!mesh.alive(v)) return;
-    supports[i] = support_on_feature(mesh, tags, network, v);
-    places[i] = {mesh.point3(v), Vec3()};
-    if (supports[i].is_free())
-      places[i] = model.project({places[i].place, normal_around(mesh, v)});
-    else if (supports[i].slides())
-      places[i].place = network.project(supports[i].piece(), places[i].place);
-  });
+  std::vector<Vec3> targets(mesh.vertex_slots());
   auto normals = mesh.add_normals();
   parallel::for_each(mesh.vertex_slots(), [&](std::size_t i) {
     const VertexId v(i);
     if (!mesh.alive(v)) return;
-    tags.support[v] = supports[i];
-    mesh.set_point3(v, places[i].place);
-    normals[v] = places[i].up;
+    supports[i] = support_on_feature(mesh, tags, network, v);
+    targets[i] = mesh.point3(v);
+    if (supports[i].is_free()) {
+      const Vec3 around = normal_around(mesh, v);
+      const SpacePoint foot = model.project({targets[i], around});
+      // Where an element bridges a fold the nearest point lies on one side of it: its normal says nothing.
+      const bool agrees = dot(foot.up, around) >= kLeastAgreement;
+      if (agrees) targets[i] = foot.place;
+      normals[v] = agrees ? foot.up : around;
+    } else if (supports[i].slides()) {
+      targets[i] = network.project(supports[i].piece(), targets[i]);
+    }
   });
+  parallel::for_each(mesh.vertex_slots(), [&](std::size_t i) {
+    if (mesh.alive(VertexId(i))) tags.support[VertexId(i)] = supports[i];
+  });
+  VertexColouring colouring(mesh);
+  run_sweeps(mesh, colouring, PlacingMover(normals, targets), kPlacingSweeps, progress);
 }
 
 void set_feature_normals(Mesh& cut_open, const ConstraintTags& tags) {
@@ -66,6 +130,13 @@ void set_feature_normals(Mesh& cut_open, const ConstraintTags& tags) {
   parallel::for_each(cut_open.vertex_slots(), [&](std::size_t i) {
     const VertexId v(i);
     if (cut_open.alive(v) && !tags.support[v].is_free()) normals[v] = normal_around(cut_open, v);
+  });
+}
+
+void clear_feature_normals(Mesh& mesh, const ConstraintTags& tags) {
+  auto normals = mesh.normals();
+  parallel::for_each(mesh.vertex_slots(), [&](std::size_t i) {
+    if (mesh.alive(VertexId(i)) && !tags.support[VertexId(i)].is_free()) normals[VertexId(i)] = Vec3();
   });
 }
 

@@ -12,6 +12,7 @@
 #include "kernels/cleanup/patch_remesh.hpp"
 #include "kernels/cluster/merge.hpp"
 #include "kernels/smooth/local_smoother.hpp"
+#include "surface/quads/mend_faces.hpp"
 #include "surface/quads/place_on_surface.hpp"
 
 namespace quarry {
@@ -19,6 +20,8 @@ namespace {
 
 // How far patches may take the number of faces from the wanted one.
 constexpr double kCountTolerance = 0.035;
+// Where sizes differ a quad is to have the area that those around it have, so many rounds of stars away.
+constexpr int kAreaAverages = 8;
 
 class SurfaceQuads {
  public:
@@ -36,6 +39,7 @@ class SurfaceQuads {
     smooth(options_.first_sweeps);
     if (options_.cleanup != CleanUpLevel::kNone) clean_up();
     smooth(options_.last_sweeps);
+    mend();
     return std::move(mesh_);
   }
 
@@ -45,8 +49,16 @@ class SurfaceQuads {
     const Pairing pairing =
         pair_triangles(mesh_, ConstraintTags::of(mesh_), options_.pairing, report_.pairing, progress_);
     mesh_ = subdivide_in_space(merge_pairs(std::move(mesh_), pairing), report_.subdivide);
-    place_on_surface(mesh_, ConstraintTags::of(mesh_), model_, network_);
+    place_on_surface(mesh_, ConstraintTags::of(mesh_), model_, network_, progress_);
     compact(mesh_, EntityOrder::kHilbert);
+    mend();
+  }
+
+  // Few faces, if any: those that were low as soon as triangles were paired, where features leave no room.
+  void mend() {
+    const ConstraintTags tags = ConstraintTags::of(mesh_);
+    clear_feature_normals(mesh_, tags);
+    report_.turned_over = mend_faces(mesh_, tags, model_);
   }
 
   void clean_up() {
@@ -63,7 +75,7 @@ class SurfaceQuads {
     PatchOptions patches = options_.patches;
     patches.wanted_faces = options_.wanted_faces > 0 ? options_.wanted_faces : mesh_.count_alive_faces();
     patches.most_growth = patches.most_shrinkage = kCountTolerance;
-    patches.longest_edge = options_.longest_edge * options_.edge;
+    patches.longest_edge = options_.longest_edge;
     PatchMemory memory;
     for (std::size_t i = 0; i < classes.size(); ++i) {
       progress_.report("clean-up", static_cast<double>(i + 1) / static_cast<double>(classes.size() + 1));
@@ -91,18 +103,23 @@ class SurfaceQuads {
     compact(mesh_, EntityOrder::kHilbert);
   }
 
-  // All free vertices; those on features stay.
+  // All free vertices; those on features stay. No face is turned over before, and none afterwards: untangling
+  // would move all of them for the sake of one.
   void smooth(int sweeps) {
     add_time(report_.clean_up.smoothing_seconds, [&] {
       const ConstraintTags tags = ConstraintTags::of(mesh_);
-      set_feature_normals(mesh_, tags);
+      clear_feature_normals(mesh_, tags);
       std::vector<VertexId> movable;
       for (const VertexId v : mesh_.vertices())
         if (mesh_.alive(v) && tags.support[v].is_free()) movable.push_back(v);
       if (movable.empty()) return;
       LocalSmoother<SpaceModel> smoother(model_);
       MeshEditor editor(mesh_);
-      smoother.run(editor, movable, {.untangling_sweeps = 12, .sweeps = sweeps, .target = options_.target});
+      smoother.run(editor, movable,
+                   {.untangling_sweeps = 0,
+                    .sweeps = sweeps,
+                    .area_averages = options_.graded ? kAreaAverages : LocalShapeOptions::kAllAlike,
+                    .target = options_.target});
     });
   }
 

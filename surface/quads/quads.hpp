@@ -18,11 +18,11 @@ struct SurfaceQuadOptions {
   CleanUpLevel cleanup = CleanUpLevel::kFull;
   LocalCleanupOptions local;
   PatchOptions patches;
-  // The wanted edge, in input units, and how many times as long an edge of a patch may be. At twice, twice as
-  // many irregular vertices are left; at four times fewer, but quads stretch and leave the surface. edge 0:
-  // any.
-  double edge = 0;
+  // How many times as long as they are on the whole an edge of a patch may be. At twice, twice as many
+  // irregular vertices are left; at four times fewer, but quads stretch and leave the surface.
   double longest_edge = 2.5;
+  // Whether the wanted edges differ from place to place.
+  bool graded = false;
   // How many faces there are to be; 0: as many as halving makes. Patches keep within a few per cent.
   std::size_t wanted_faces = 0;
   // Sweeps over the whole mesh: after halving, between the steps of clean-up, and at the end.
@@ -34,7 +34,8 @@ struct SurfaceQuadOptions {
 struct SurfaceQuadReport {
   PairingReport pairing;
   SubdivideReport subdivide;
-  CleanUpReport clean_up;  // all smoothing is in its smoothing_seconds
+  CleanUpReport clean_up;       // all smoothing is in its smoothing_seconds
+  std::size_t turned_over = 0;  // faces that are so in the end, by the normals at their free vertices
 };
 
 // triangles: as remesh_surface leaves them, about two wanted edges long; consumed. The quads have edges half

@@ -19,17 +19,13 @@ class CollapseShort {
     VertexId gone, kept;
   };
 
-  explicit CollapseShort(const RemeshState& state)
-      : state_(state),
-        guard_(state.guard()),
-        shortest_(state.options.shortest * state.options.edge),
-        longest_(state.options.longest * state.options.edge) {}
+  explicit CollapseShort(const RemeshState& state) : state_(state), guard_(state.guard()) {}
 
   [[nodiscard]] bool wanted(SideId s) const {
     const Mesh& mesh = state_.mesh;
     const VertexId a = mesh.origin(s);
     const VertexId b = mesh.target(s);
-    return state_.squared_length(a, b) < shortest_ * shortest_ && (may_go(s, a) || may_go(s, b));
+    return too_short(a, b) && (may_go(s, a) || may_go(s, b));
   }
 
   bool propose(const Mesh& mesh, Item edge, Cavity& cavity, Plan& plan) const {
@@ -53,11 +49,14 @@ class CollapseShort {
     collapse_edge(editor, state_.tags, plan.gone, plan.kept);
     // What was too long to become longer may be so no more.
     for_each_link_vertex(editor.mesh(), plan.kept, [&](VertexId v) {
-      if (state_.squared_length(plan.kept, v) < shortest_ * shortest_) more.push_back({plan.kept, v});
+      if (too_short(plan.kept, v)) more.push_back({plan.kept, v});
     });
   }
 
  private:
+  [[nodiscard]] bool too_short(VertexId a, VertexId b) const {
+    return state_.relative_length(a, b) < state_.options.shortest;
+  }
   // A vertex on a feature goes along that feature only.
   [[nodiscard]] bool may_go(SideId s, VertexId v) const {
     const Support support = state_.tags.support[v];
@@ -87,7 +86,7 @@ class CollapseShort {
              guard_.agrees(unit_normal(points[0], points[1], points[2]), old_normal);
     });
     for_each_link_vertex(mesh, way.gone, [&](VertexId v) {
-      fits = fits && state_.squared_length(way.kept, v) <= longest_ * longest_;
+      fits = fits && state_.relative_length(way.kept, v) <= state_.options.longest;
     });
     return fits && (after >= kLowestAfter || after > before) ? after : -1;
   }
@@ -106,7 +105,7 @@ class CollapseShort {
     const Vec3 a = state_.point(before);
     const Vec3 d = state_.point(way.kept) - a;
     const PieceId curve = state_.tags.support[way.gone].piece();
-    const double most = state_.options.feature_deviation * state_.options.edge;
+    const double most = state_.options.feature_deviation * state_.wanted_edge(way.gone);
     for (const double share : {0.25, 0.5, 0.75}) {
       const Vec3 place = a + share * d;
       if (length(state_.network.project(curve, place) - place) > most) return false;
@@ -117,7 +116,6 @@ class CollapseShort {
 
   const RemeshState& state_;
   TriangleGuard guard_;
-  double shortest_, longest_;
 };
 
 }  // namespace

@@ -6,8 +6,8 @@
 namespace quarry {
 
 struct RemeshOptions {
-  // The wanted edge, in input units: a triangle is to have the area of an equilateral one of that edge.
-  double edge = 1;
+  // How many triangles there are to be. 0: as many as are equilateral, with the wanted edges.
+  double wanted_faces = 0;
   // Rounds of splits, collapses, flips and moves.
   int rounds = 8;
   // An edge is split if it is longer than this many wanted edges, and collapsed if shorter than that many, if

@@ -43,6 +43,7 @@ class RelocateMover {
       star_.push_back({ids, state_->points(ids)});
     });
     place_ = mesh.point3(v);
+    wanted_ = state_->wanted_edge(v);
     worst_ = worst_at(place_);
   }
 
@@ -66,9 +67,7 @@ class RelocateMover {
     return true;
   }
 
-  [[nodiscard]] bool is_small(Vec3 step) const {
-    return !(length(step) > kSmallestMove * state_->options.edge);
-  }
+  [[nodiscard]] bool is_small(Vec3 step) const { return !(length(step) > kSmallestMove * wanted_); }
 
   bool move_free(Mesh& mesh, VertexId v) {
     Vec3 sum;
@@ -85,10 +84,13 @@ class RelocateMover {
     const Vec3 normal = state_->normals[v];
     step = step - dot(step, normal) * normal;
     for (int attempt = 0; attempt < 2 && !is_small(step); ++attempt, step = 0.5 * step) {
-      const SpacePoint foot = state_->model.project({place_ + step, normal});
-      if (length(foot.place - (place_ + step)) > kSheetJump * length(step)) continue;
-      if (!fits(foot.place, foot.up)) continue;
-      put(mesh, v, foot.place, foot.up);
+      const SurfacePoint foot = state_->model.nearest({place_ + step, normal});
+      if (length(foot.position - (place_ + step)) > kSheetJump * length(step)) continue;
+      const Vec3 up = state_->model.with_normal(foot).up;
+      if (!fits(foot.position, up)) continue;
+      put(mesh, v, foot.position, up);
+      auto wanted = state_->wanted;
+      wanted[v] = state_->sizes.at(foot);
       return true;
     }
     return false;
@@ -115,7 +117,7 @@ class RelocateMover {
   TriangleGuard guard_;
   std::vector<Corner> star_;
   Vec3 place_;
-  double worst_ = 0;
+  double worst_ = 0, wanted_ = 0;
 };
 
 }  // namespace

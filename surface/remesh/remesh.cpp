@@ -20,6 +20,7 @@ constexpr int kMovesEachRound = 2;
 // How far the number of triangles may be from what the wanted edge asks for.
 constexpr double kCountTolerance = 0.02;
 constexpr int kMovesAtTheEnd = 5;
+constexpr const char* kWantedTag = "wanted_edge";
 
 void set_normals(RemeshState& state) {
   parallel::for_each(state.mesh.vertex_slots(), [&](std::size_t i) {
@@ -31,14 +32,20 @@ void set_normals(RemeshState& state) {
   });
 }
 
-double area_of(const RemeshState& state) {
+// How many equilateral triangles of the wanted edges have room on the mesh.
+double room(const RemeshState& state) {
+  const double area_of_unit = 0.25 * std::sqrt(3.0);
   return parallel::reduce_ordered(
       state.mesh.face_slots(), 0.0,
       [&](std::size_t begin, std::size_t end) {
         double sum = 0;
         for (std::size_t i = begin; i < end; ++i) {
-          const auto p = state.points(state.corners(FaceId(i)));
-          sum += 0.5 * length(cross(p[1] - p[0], p[2] - p[0]));
+          if (!state.mesh.alive(FaceId(i))) continue;
+          const auto corners = state.corners(FaceId(i));
+          const auto p = state.points(corners);
+          const double edge =
+              (state.wanted[corners[0]] + state.wanted[corners[1]] + state.wanted[corners[2]]) / 3;
+          sum += 0.5 * length(cross(p[1] - p[0], p[2] - p[0])) / (area_of_unit * edge * edge);
         }
         return sum;
       },
@@ -46,23 +53,26 @@ double area_of(const RemeshState& state) {
 }
 
 // Too many triangles ask for longer edges, by no more than a tenth at a time.
-double corrected(double edge, double faces, double wanted) {
-  return edge * std::clamp(std::sqrt(faces / wanted), 1 / 1.1, 1.1);
+double corrected(double scale, double faces, double wanted) {
+  return scale * std::clamp(std::sqrt(faces / wanted), 1 / 1.1, 1.1);
 }
 
 }  // namespace
 
 RemeshReport remesh_surface(Mesh& mesh, const SurfaceModel& model, const CurveNetwork& network,
-                            const RemeshOptions& options, const Progress& progress) {
+                            const SurfaceSizes& sizes, const RemeshOptions& options,
+                            const Progress& progress) {
   RemeshState state{mesh,
                     model,
                     network,
+                    sizes,
                     options,
                     ConstraintTags::of(mesh),
                     mesh.add_normals(),
-                    mesh.find_tag<FaceId, std::int32_t>(kSurfaceGroupTag)};
+                    mesh.find_tag<FaceId, std::int32_t>(kSurfaceGroupTag),
+                    mesh.add_tag<VertexId, double>(kWantedTag, sizes.edge())};
+  for (const VertexId v : mesh.vertices()) state.wanted[v] = sizes.at(v);
   set_normals(state);
-  const double wanted_faces = area_of(state) / (0.25 * std::sqrt(3.0) * options.edge * options.edge);
   RemeshReport report;
   for (int round = 0; round < options.rounds; ++round) {
     progress.report("remeshing", static_cast<double>(round) / options.rounds);
@@ -83,11 +93,13 @@ RemeshReport remesh_surface(Mesh& mesh, const SurfaceModel& model, const CurveNe
     report.moves += relocate_vertices(state, kMovesEachRound, progress).moved;
     ++report.rounds;
     const double faces = static_cast<double>(mesh.count_alive_faces());
+    const double wanted_faces = options.wanted_faces > 0 ? options.wanted_faces : room(state);
     if (changes == 0 && std::abs(faces - wanted_faces) < kCountTolerance * wanted_faces) break;
-    state.options.edge = corrected(state.options.edge, faces, wanted_faces);
+    state.scale = corrected(state.scale, faces, wanted_faces);
   }
   report.moves += relocate_vertices(state, kMovesAtTheEnd, progress).moved;
   report.flips += flip_edges(state, FlipAim::kMeasure, progress);
+  mesh.remove_tag<VertexId>(kWantedTag);
   return report;
 }
 

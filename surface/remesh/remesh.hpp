@@ -10,14 +10,17 @@
 #include "surface/feature/curve_network.hpp"
 #include "surface/model/surface_model.hpp"
 #include "surface/remesh/options.hpp"
+#include "surface/size/surface_sizes.hpp"
 
 namespace quarry {
 
-// mesh: triangles on the surface with ConstraintTags, as make_sheets and bind_features leave them. Vertices
+// mesh: triangles on the surface with ConstraintTags, as make_sheets and bind_features leave them, and as the
+// sizes know them. A triangle is to have the area of an equilateral one of the wanted edge there. Vertices
 // that are fixed keep their bits. Compact afterwards, in Hilbert order, with the normals of the surface at
 // free vertices, and none (zero) at those on features, which may have several. The same on any number of
 // threads.
 RemeshReport remesh_surface(Mesh& mesh, const SurfaceModel& model, const CurveNetwork& network,
-                            const RemeshOptions& options, const Progress& progress);
+                            const SurfaceSizes& sizes, const RemeshOptions& options,
+                            const Progress& progress);
 
 }  // namespace quarry

@@ -12,17 +12,17 @@ class SplitLong {
   using Item = MeshEdge;
   struct Plan {
     Vec3 point, normal;
+    double wanted;
     Support support;
   };
 
-  explicit SplitLong(const RemeshState& state)
-      : state_(state), guard_(state.guard()), limit_(state.options.longest * state.options.edge) {}
+  explicit SplitLong(const RemeshState& state) : state_(state), guard_(state.guard()) {}
 
   // Too long, and the longest of one of its triangles; of equals that with the smaller ends.
   [[nodiscard]] bool wanted(SideId s) const {
     const Mesh& mesh = state_.mesh;
+    if (!(state_.relative_length(mesh.origin(s), mesh.target(s)) > state_.options.longest)) return false;
     const double squared = state_.squared_length(mesh.origin(s), mesh.target(s));
-    if (!(squared > limit_ * limit_)) return false;
     const auto longest_of = [&](SideId side) {
       for (SideId other = mesh.next(side); other != side; other = mesh.next(other)) {
         const double theirs = state_.squared_length(mesh.origin(other), mesh.target(other));
@@ -50,6 +50,7 @@ class SplitLong {
     if (t.valid()) editor.set(state_.groups, FaceId(ids.face.value() + 1), state_.groups[t.face()]);
     const VertexId m = split_edge(editor, state_.tags, s, plan.point, plan.support, ids);
     editor.set(state_.normals, m, plan.normal);
+    editor.set(state_.wanted, m, plan.wanted);
   }
 
  private:
@@ -60,14 +61,17 @@ class SplitLong {
   [[nodiscard]] Plan plan_of(const Mesh& mesh, SideId s) const {
     const auto [a, b] = key(s);
     const Vec3 middle = 0.5 * (state_.point(a) + state_.point(b));
+    const double wanted = 0.5 * (state_.wanted[a] + state_.wanted[b]);
     if (state_.tags.constrained(s)) {
       const PieceId curve = state_.network.under_edge(state_.tags.support[a], state_.tags.support[b], middle);
       const Vec3 place = curve.valid() ? state_.network.project(curve, middle) : middle;
-      return {fits(s, place) ? place : middle, Vec3(), curve.valid() ? Support::on(curve) : Support::fixed()};
+      return {fits(s, place) ? place : middle, Vec3(), wanted,
+              curve.valid() ? Support::on(curve) : Support::fixed()};
     }
     const Vec3 around = state_.normal_of(s.face()) + state_.normal_of(mesh.neighbour(s).face());
-    const SpacePoint foot = state_.model.project({middle, around});
-    return {fits(s, foot.place) ? foot.place : middle, foot.up, Support()};
+    const SurfacePoint foot = state_.model.nearest({middle, around});
+    return {fits(s, foot.position) ? foot.position : middle, state_.model.with_normal(foot).up,
+            state_.sizes.at(foot), Support()};
   }
 
   // The parts of each triangle at the edge have areas and face as it does.
@@ -86,7 +90,6 @@ class SplitLong {
 
   const RemeshState& state_;
   TriangleGuard guard_;
-  double limit_;
 };
 
 }  // namespace

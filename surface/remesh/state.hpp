@@ -13,6 +13,7 @@
 #include "surface/model/surface_model.hpp"
 #include "surface/remesh/options.hpp"
 #include "surface/remesh/triangle_guard.hpp"
+#include "surface/size/surface_sizes.hpp"
 
 namespace quarry {
 
@@ -25,13 +26,25 @@ struct RemeshState {
   Mesh& mesh;
   const SurfaceModel& model;
   const CurveNetwork& network;
-  RemeshOptions options;  // the edge changes from round to round, until the number of triangles is right
+  const SurfaceSizes& sizes;
+  const RemeshOptions& options;
   ConstraintTags tags;
   Tag<VertexId, Vec3> normals;  // at free vertices; zero on features
   Tag<FaceId, std::int32_t> groups;
+  Tag<VertexId, double> wanted;  // the edge at each vertex, by the sizes
+  double scale =
+      1;  // of all wanted edges; changes from round to round, until the number of triangles is right
 
   [[nodiscard]] TriangleGuard guard() const { return {normals, options.least_turn_cosine}; }
   [[nodiscard]] Vec3 point(VertexId v) const { return mesh.point3(v); }
+  [[nodiscard]] double wanted_edge(VertexId v) const { return scale * wanted[v]; }
+  [[nodiscard]] double wanted_edge(VertexId a, VertexId b) const {
+    return 0.5 * (wanted_edge(a) + wanted_edge(b));
+  }
+  // In wanted edges.
+  [[nodiscard]] double relative_length(VertexId a, VertexId b) const {
+    return length(point(b) - point(a)) / wanted_edge(a, b);
+  }
   [[nodiscard]] double squared_length(VertexId a, VertexId b) const {
     const Vec3 d = point(b) - point(a);
     return dot(d, d);

@@ -69,7 +69,7 @@ f 2 4 8 6
 END
 for threads in 1 2 4 7; do
   expect "a surface on $threads threads" 0 "$QUARRY" mesh "$OUT/cube.obj" -o "$OUT/cube_$threads.vtu" --count 600 \
-    --threads "$threads" --report "$OUT/cube.json" --repaired "$OUT/repaired.ply" --quiet
+    --threads "$threads" --picture "$OUT/cube.png" --page "$OUT/cube.html" --report "$OUT/cube.json" --repaired "$OUT/repaired.ply" --quiet
   expect "the same bytes of a surface on $threads threads" 0 cmp "$OUT/cube_1.vtu" "$OUT/cube_$threads.vtu"
 done
 expect "triangles on a surface" 0 "$QUARRY" mesh "$OUT/cube.obj" -o "$OUT/cube.stl" --size 0.2 --elements tri --quiet

@@ -90,6 +90,40 @@ TEST(Outputs, PicturesAreDrawnBesideTheMeshAndFromIt) {
       "b.pdf");
 }
 
+TEST(Outputs, PagesAreWrittenBesideTheMeshAndFromIt) {
+  const TestFolder folder;
+  ASSERT_EQ(run_quarry(
+                {"mesh", kDemoSection, "-o", folder / "out.vtu", "--size", "20", "--page", folder / "a.html"})
+                .exit_code,
+            0);
+  ASSERT_EQ(run_quarry({"picture", folder / "out.vtu", "-o", folder / "b.html"}).exit_code, 0);
+  for (const char* name : {"a.html", "b.html"}) {
+    const std::string page = read_text(folder / name);
+    EXPECT_EQ(page.find("<!DOCTYPE html>"), 0U) << name;
+    EXPECT_NE(page.find("scaled Jacobian, smallest"), std::string::npos) << name;
+  }
+  expect_failure({"mesh", kDemoSection, "-o", folder / "c.vtu", "--size", "20", "--page", folder / "c.htm"},
+                 2, "c.htm");
+}
+
+TEST(Outputs, ASurfaceIsDrawnFromWhereItIsAskedFor) {
+  const TestFolder folder;
+  const std::string mesh = folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 1\nv 0 1 0\nf 1 2 3\nf 1 3 4\n");
+  ASSERT_EQ(run_quarry({"mesh", mesh, "-o", folder / "a.vtu", "--count", "30", "--picture", folder / "a.png"})
+                .exit_code,
+            0);
+  ASSERT_EQ(run_quarry({"picture", folder / "a.vtu", "-o", folder / "b.png", "--view", "35", "25"}).exit_code,
+            0);
+  EXPECT_TRUE(read_text(folder / "a.png") == read_text(folder / "b.png"));
+  ASSERT_EQ(run_quarry({"picture", folder / "a.vtu", "-o", folder / "c.png", "--view", "100", "60", "--up",
+                        "y", "--around", "0", "0", "0", "0.6"})
+                .exit_code,
+            0);
+  EXPECT_FALSE(read_text(folder / "a.png") == read_text(folder / "c.png"));
+  expect_failure({"picture", folder / "a.vtu", "-o", folder / "d.png", "--around", "9", "9", "9", "1"}, 2,
+                 "ball");
+}
+
 TEST(Outputs, AWindowBesideTheMeshIsToldWithTheBoxOfTheMesh) {
   const TestFolder folder;
   const std::string mesh = folder.write("a.obj", "v 1 2\nv 3 2\nv 3 5\nv 1 5\nf 1 2 3 4\n");

@@ -32,10 +32,9 @@ Quads quads_of(TriangleSurface surface, double edge, CleanUpLevel level = CleanU
       make_curve_network(repaired.surface, find_feature_edges(repaired, features).edges, features);
   Mesh triangles = make_sheets(repaired);
   const SurfaceModel model(triangles, bind_features(triangles, network));
-  remesh_surface(triangles, model, network, {.edge = 2.2 * edge}, Progress());
+  remesh_surface(triangles, model, network, SurfaceSizes(2.2 * edge), {}, Progress());
   SurfaceQuadOptions options;
   options.cleanup = level;
-  options.edge = edge;
   Quads result;
   result.mesh = make_surface_quads(std::move(triangles), model, network, options, result.report, Progress());
   return result;
@@ -90,6 +89,18 @@ TEST(SurfaceQuads, OfATerrainKeepItsRim) {
     rim = std::max(rim, std::min(std::min(p.x, 1 - p.x), std::min(p.y, 1 - p.y)));
   }
   EXPECT_LT(rim, 1e-12);
+}
+
+// At its rim the surface turns back within less than a hundredth of an element.
+TEST(SurfaceQuads, OfAThinLensHaveNoFaceThatIsTurnedOver) {
+  TriangleSurface lens = test::sphere(5);
+  for (Vec3& p : lens.points) p.z *= 0.03;
+  for (const double edge : {0.2, 0.1, 0.05}) {
+    const Quads quads = quads_of(lens, edge);
+    EXPECT_EQ(quads.report.turned_over, 0U) << edge;
+    EXPECT_EQ(validate(quads.mesh, GeometryCheck::kNone), "");
+    EXPECT_GT(summarize_quality(quads.mesh).quads.scaled_jacobian.min, 0) << edge;
+  }
 }
 
 TEST(SurfaceQuadThreads, GiveTheSameMeshOnAnyNumber) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -21,6 +22,13 @@
 namespace quarry {
 namespace {
 
+// Shorter at one point, growing from there.
+SurfaceSizes graded(const Mesh& mesh, double edge, double smallest) {
+  std::vector<double> most(mesh.vertex_slots(), std::numeric_limits<double>::infinity());
+  most[0] = smallest;
+  return {mesh, most, 0.3, edge};
+}
+
 struct Remeshed {
   Mesh mesh;
   ConstraintTags tags;
@@ -30,7 +38,7 @@ struct Remeshed {
 
 Remeshed remeshed(TriangleSurface surface, double edge) {
   RepairedSurface repaired = repair_surface(std::move(surface), {});
-  const RemeshOptions options{.edge = edge};
+  const RemeshOptions options;
   split_joins(repaired, options.longest * edge);
   const FeatureOptions features{.size = edge};
   Remeshed result;
@@ -38,7 +46,7 @@ Remeshed remeshed(TriangleSurface surface, double edge) {
       make_curve_network(repaired.surface, find_feature_edges(repaired, features).edges, features);
   result.mesh = make_sheets(repaired);
   const SurfaceModel model(result.mesh, bind_features(result.mesh, result.network));
-  result.report = remesh_surface(result.mesh, model, result.network, options, Progress());
+  result.report = remesh_surface(result.mesh, model, result.network, SurfaceSizes(edge), options, Progress());
   result.tags = ConstraintTags::of(result.mesh);
   return result;
 }
@@ -70,6 +78,28 @@ double worst_measure(const Mesh& mesh) {
     worst = std::min(worst, lo_measure(mesh.point3(mesh.corner(f, 0)), mesh.point3(mesh.corner(f, 1)),
                                        mesh.point3(mesh.corner(f, 2))));
   return worst;
+}
+
+TEST(RemeshSurface, FollowsSizesThatDiffer) {
+  RepairedSurface repaired = repair_surface(test::sphere(4), {});
+  const CurveNetwork network;
+  Mesh mesh = make_sheets(repaired);
+  const SurfaceModel model(mesh, bind_features(mesh, network));
+  const Vec3 center = mesh.point3(VertexId(std::size_t{0}));
+  const SurfaceSizes sizes = graded(mesh, 0.2, 0.02);
+  remesh_surface(mesh, model, network, sizes, {}, Progress());
+  EXPECT_EQ(validate(mesh, GeometryCheck::kNone), "");
+  double near = 0, nears = 0, far = 0, fars = 0;
+  for (const FaceId f : mesh.faces())
+    for (int k = 0; k < 3; ++k) {
+      const Vec3 a = mesh.point3(mesh.origin(SideId(f, k))), b = mesh.point3(mesh.target(SideId(f, k)));
+      const double away = length(0.5 * (a + b) - center);
+      (away < 0.1 ? near : far) += away < 0.1 || away > 1 ? length(b - a) : 0;
+      (away < 0.1 ? nears : fars) += away < 0.1 || away > 1 ? 1 : 0;
+    }
+  EXPECT_NEAR(far / fars, 0.2, 0.03);
+  EXPECT_LT(near / nears, 0.07);
+  EXPECT_GT(worst_measure(mesh), 0.4);
 }
 
 TEST(RemeshSurface, MakesASphereCoarserAndFinerAsAsked) {

@@ -1,0 +1,46 @@
+// The wanted edge of elements at each place of a surface.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "engine/mesh/mesh.hpp"
+#include "surface/project/triangle_tree.hpp"
+
+namespace quarry {
+
+class SurfaceSizes {
+ public:
+  // The same everywhere.
+  explicit SurfaceSizes(double edge) : edge_(edge) {}
+  // edge: where nothing asks for less. most: the longest at each vertex of the triangles, infinite where any
+  // will do; from there sizes grow by at most `growth` times the distance, along the edges of the triangles
+  // and within each.
+  SurfaceSizes(const Mesh& triangles, std::vector<double> most, double growth, double edge);
+
+  // triangle: by its number in the mesh.
+  [[nodiscard]] double at(const SurfacePoint& p) const;
+  [[nodiscard]] double at(VertexId v) const;
+  [[nodiscard]] bool uniform() const { return most_.empty(); }
+
+  [[nodiscard]] double edge() const { return edge_; }
+  // Another wanted edge; what limits it stays.
+  void set_edge(double edge) { edge_ = edge; }
+  // All limits times so much.
+  void set_leniency(double factor) { leniency_ = factor; }
+  // The sum of area / edge^2 over the surface, by the sizes at the corners: about how many squares of the
+  // wanted edges have room on it. Not for uniform ones, which know no area.
+  [[nodiscard]] double squares() const;
+
+ private:
+  double edge_;
+  double growth_ = 0;
+  double leniency_ = 1;
+  // Empty if nothing limits the size.
+  std::vector<double> most_;  // by vertex
+  std::vector<Vec3> points_;
+  std::vector<std::array<std::uint32_t, 3>> triangles_;
+};
+
+}  // namespace quarry
