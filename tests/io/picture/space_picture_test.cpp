@@ -84,12 +84,11 @@ TEST_F(SpacePicture, HidesWhatLiesBehind) {
 TEST_F(SpacePicture, CutsFeaturesWhereTheyAreHidden) {
   PictureOptions options;
   options.view = kFromAbove;
-  options.width = 800;
   options.colours = PictureColours::kConstraint;
   const Pixels pixels = drawn(options);
-  const int middle = 20 + 380;  // margin, and half of the drawing
-  expect_colour(pixels.at(20 + 90, middle), line_colour(5));
-  EXPECT_GT(lightness(pixels.at(20 + 300, middle)), 0.7);
+  const int middle = 40 + 760;  // margin, and half of the drawing
+  expect_colour(pixels.at(40 + 180, middle), line_colour(5));
+  EXPECT_GT(lightness(pixels.at(40 + 600, middle)), 0.7);
 }
 
 TEST_F(SpacePicture, ShowsTheBackOfASurfaceGreyer) {
