@@ -20,6 +20,7 @@ using PieceId = Id<struct PieceKind>;  // a straight segment between two nodes o
 // point equals its first). It keeps its number for good, even if it is dropped.
 struct InputLine {
   std::vector<Vec2> points;
+  std::vector<double> heights;  // one a point; empty if the file does not give all of them
   std::uint32_t file = 0;     // index into LineSet::files
   std::uint32_t feature = 0;  // number of the feature in its file, from 0
   bool polygon_ring = false;  // a ring of a Polygon or MultiPolygon

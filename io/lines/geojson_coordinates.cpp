@@ -1,7 +1,9 @@
 #include "io/lines/geojson_coordinates.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -38,6 +40,7 @@ bool geojson_type_has_coordinates(std::string_view type) { return find_type(type
 void GeojsonCoordinates::clear() {
   stack_.clear();
   points_.clear();
+  heights_.clear();
   parts_.clear();
   axis_count_ = 0;
   polygons_ = 0;
@@ -68,7 +71,7 @@ std::string GeojsonCoordinates::number(double value) {
     return fmt::format("{}: coordinate {} is not a usable number; the largest is {:g}", place(), value,
                        kLargest);
   stack_.back().holds = Holds::kNumbers;
-  if (axis_count_ < 2) axis_[axis_count_] = value;
+  if (axis_count_ < 3) axis_[axis_count_] = value;
   ++axis_count_;
   return {};
 }
@@ -80,6 +83,7 @@ std::string GeojsonCoordinates::end_array() {
   if (closed.holds == Holds::kNumbers) {
     if (axis_count_ < 2) return fmt::format("{}: a coordinate is missing; a position needs two", place());
     points_.push_back({axis_[0], axis_[1]});
+    heights_.push_back(axis_count_ > 2 ? axis_[2] : std::numeric_limits<double>::quiet_NaN());
     if (!stack_.empty()) stack_.back().holds_positions = true;
   } else if (closed.holds_positions || closed.holds == Holds::kNothing) {
     if (closed.holds == Holds::kNothing && !stack_.empty() && stack_.back().holds_positions)
@@ -106,6 +110,10 @@ std::string GeojsonCoordinates::append_lines(std::string_view type, std::uint32_
     InputLine line;
     line.points.assign(points_.begin() + static_cast<std::ptrdiff_t>(part.begin),
                        points_.begin() + static_cast<std::ptrdiff_t>(part.end));
+    const auto first_height = heights_.begin() + static_cast<std::ptrdiff_t>(part.begin);
+    const auto last_height = heights_.begin() + static_cast<std::ptrdiff_t>(part.end);
+    if (std::none_of(first_height, last_height, [](double z) { return std::isnan(z); }))
+      line.heights.assign(first_height, last_height);
     if (count == 1)
       return fmt::format("a line of one point at {}; a line needs two points",
                          format_point(line.points[0].x, line.points[0].y));
@@ -117,7 +125,10 @@ std::string GeojsonCoordinates::append_lines(std::string_view type, std::uint32_
     line.hole = known->polygon && polygon == last_polygon;
     last_polygon = polygon;
     if (known->polygon && count > 1 && !(line.points.front() == line.points.back()))
+{
       line.points.push_back(line.points.front());
+      if (!line.heights.empty()) line.heights.push_back(line.heights.front());
+    }
     lines.lines.push_back(std::move(line));
   }
   return {};

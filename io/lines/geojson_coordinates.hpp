@@ -48,8 +48,9 @@ class GeojsonCoordinates {
 
   std::vector<Array> stack_;
   std::vector<Vec2> points_;
+  std::vector<double> heights_;  // not a number where there is none
   std::vector<Part> parts_;
-  double axis_[2] = {0, 0};
+  double axis_[3] = {0, 0, 0};
   std::size_t axis_count_ = 0;
   std::size_t polygons_ = 0;
   bool complete_ = false;

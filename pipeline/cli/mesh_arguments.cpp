@@ -125,6 +125,12 @@ void add_surface_options(CLI::App& command, MeshArguments& arguments) {
       ->type_name("auto|DEGREES")
       ->group(group);
   command
+      .add_option("--lines", arguments.lines,
+                  "lines on or near the surface (GeoJSON) that become chains of edges; without heights they lie "
+                  "where plumb lines meet the surface from above")
+      ->type_name("FILE")
+      ->group(group);
+  command
       .add_option("--weld", arguments.weld,
                   "points this near to one another become one; default 0: equal ones")
       ->check(CLI::NonNegativeNumber.description(""))
@@ -224,6 +230,8 @@ void fill_section(MeshArguments& arguments) {
   if (section.inputs.empty())
     throw Error(ErrorKind::kUsage, "no input file is given; see quarry mesh --help");
   if (arguments.output.empty()) throw Error(ErrorKind::kUsage, "no output is given: name it with -o OUT.vtu");
+  if (!arguments.lines.empty())
+    throw Error(ErrorKind::kUsage, "--lines is for lines on a surface; give the files of lines as inputs");
   if (!(section.max_elements >= 1 && section.max_elements <= kMostElements))
     throw Error(ErrorKind::kUsage, fmt::format("--max-elements is {}: it must be from 1 to {:g}",
                                                section.max_elements, kMostElements));

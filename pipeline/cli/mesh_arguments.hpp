@@ -29,6 +29,7 @@ struct MeshArguments {
 
   // Of surfaces.
   std::string sharp = "auto", repaired;
+  std::vector<std::string> lines;
   double weld = 0;
   std::uint32_t fill_holes = 0;
 };

@@ -36,7 +36,7 @@ void refuse_options_of_lines(const MeshArguments& arguments) {
   const auto refuse = [](bool given, const char* name) {
     if (given) throw Error(ErrorKind::kUsage, fmt::format("{} is for lines; the input is a surface", name));
   };
-  refuse(section.snap.has_value(), "--snap");
+  refuse(section.snap.has_value() && arguments.lines.empty(), "--snap without --lines");
   refuse(section.min_edge.has_value(), "--min-edge");
   refuse(section.tolerance.has_value(), "--tolerance");
   refuse(!section.boundary.empty(), "--boundary");
@@ -70,6 +70,10 @@ SurfaceOptions options_of(const MeshArguments& arguments) {
   const SectionOptions& section = arguments.section;
   SurfaceOptions options;
   options.inputs = section.inputs;
+  options.lines = arguments.lines;
+  options.snap = section.snap;
+  if (section.snap && !(*section.snap >= 0 && std::isfinite(*section.snap)))
+    throw Error(ErrorKind::kUsage, fmt::format("--snap is {}: it must be 0 or more", *section.snap));
   options.size = section.size;
   options.count = section.count;
   options.max_elements = section.max_elements;
@@ -132,16 +136,18 @@ bool is_surface(const std::vector<std::string>& inputs) {
 
 void run_mesh_surface(MeshArguments& arguments) {
   const SurfaceOptions options = options_of(arguments);
+  std::vector<std::string> files = options.inputs;
+  files.insert(files.end(), options.lines.begin(), options.lines.end());
   check_writable_extension(arguments.output);
   if (!arguments.repaired.empty()) check_writable_extension(arguments.repaired);
   if (!arguments.picture.empty()) check_picture_extension(arguments.picture);
   if (!arguments.page.empty()) check_page_extension(arguments.page);
   check_outputs({arguments.output, arguments.report, arguments.repaired, arguments.picture, arguments.page},
-                options.inputs);
+                files);
   const std::vector<Demand> demands = parse_demands(arguments.require);
   ProgressBar bar(!arguments.common.quiet);
   const Progress progress = bar.progress();
-  const std::string hash = hash_files(options.inputs);
+  const std::string hash = hash_files(files);
   SurfaceResult result = mesh_surface(options, progress);
   StageClock clock(progress);
   clock.start("measuring");

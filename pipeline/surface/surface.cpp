@@ -11,11 +11,13 @@
 #include "engine/mesh/compact.hpp"
 #include "engine/mesh/pinch.hpp"
 #include "engine/parallel/parallel.hpp"
+#include "io/lines/line_reader.hpp"
 #include "kernels/quality/face.hpp"
 #include "pipeline/surface/read_surface.hpp"
 #include "surface/feature/bind.hpp"
 #include "surface/model/surface_model.hpp"
 #include "surface/remesh/remesh.hpp"
+#include "surface/repair/coarsen_joins.hpp"
 #include "surface/repair/sheets.hpp"
 #include "surface/repair/split_joins.hpp"
 #include "surface/size/detail_size.hpp"
@@ -46,6 +48,11 @@ constexpr double kMostForDetails = 1.25;
 // Where that does not do, details are meshed more coarsely, by up to this factor.
 constexpr double kMostLenient = 16;
 constexpr double kFitTolerance = 1e-3;
+// Of lines: how they are led, in edges of triangles; and by default, in sizes, what they snap to and how far
+// from the surface they may lie.
+constexpr double kImprintStep = 0.5;
+constexpr double kDefaultSnap = 0.05;
+constexpr double kImprintReach = 1;
 
 class SurfaceJob {
  public:
@@ -60,11 +67,16 @@ class SurfaceJob {
     find_size(repaired.surface);
     const double edge = result_.size * (makes_quads() ? kTrianglesForQuads : 1);
     RemeshOptions remesh;
+    result_.repaired = repaired.surface;
+    coarsen_joins(repaired, {.shortest = remesh.shortest * edge,
+                             .longest = remesh.longest * edge,
+                             .deviation = remesh.feature_deviation * edge});
+    const std::vector<LineEdge> lines = imprint(repaired, edge);
     split_joins(repaired, remesh.longest * edge);
     clock_.start("finding features");
     FeatureOptions features = options_.features;
     features.size = edge;
-    const FeatureEdges found = find_feature_edges(repaired, features);
+    const FeatureEdges found = find_feature_edges(repaired, features, lines);
     const CurveNetwork network = make_curve_network(repaired.surface, found.edges, features);
     count(found, network);
     Mesh& mesh = result_.mesh;
@@ -90,7 +102,6 @@ class SurfaceJob {
     require_valid(model);
     set_regions(repaired.surface, model);
     finish(network);
-    result_.repaired = std::move(repaired.surface);
     result_.repair = std::move(repaired.report);
     clock_.stop();
     result_.times = clock_.times();
@@ -109,6 +120,27 @@ class SurfaceJob {
                   fmt::format("about {:.3g} elements are to be expected, more than --max-elements "
                               "{:g}: take a larger --size",
                               elements, options_.max_elements));
+  }
+
+  [[nodiscard]] std::vector<LineEdge> imprint(RepairedSurface& repaired, double edge) {
+    if (options_.lines.empty()) return {};
+    clock_.start("imprinting lines");
+    const LineSet input = read_lines(options_.lines);
+    result_.lines = input.lines.size();
+    std::vector<SurfaceLine> lines;
+    for (const InputLine& line : input.lines) {
+      SurfaceLine on_surface;
+      on_surface.has_heights = !line.heights.empty();
+      for (std::size_t i = 0; i < line.points.size(); ++i)
+        on_surface.points.push_back(
+            {line.points[i].x, line.points[i].y, on_surface.has_heights ? line.heights[i] : 0});
+      lines.push_back(std::move(on_surface));
+    }
+    ImprintOptions imprint;
+    imprint.step = kImprintStep * edge;
+    imprint.snap = options_.snap.value_or(kDefaultSnap * result_.size);
+    imprint.reach = kImprintReach * result_.size;
+    return imprint_lines(repaired, lines, imprint, result_.imprint);
   }
 
   // Where the surface has details elements are smaller.
@@ -217,6 +249,11 @@ class SurfaceJob {
     }
   }
 
+  [[nodiscard]] std::int32_t number_of(const CurveNetwork& network, PieceId curve) const {
+    const std::int32_t line = network.curves[curve].line;
+    return line >= 0 ? line : static_cast<std::int32_t>(result_.lines + curve.value());
+  }
+
   // Edge entities and points that sheets share, in the place of what the kernels work with.
   void finish(const CurveNetwork& network) {
     Mesh& mesh = result_.mesh;
@@ -233,7 +270,7 @@ class SurfaceJob {
         const EdgeId e = mesh.add_edge(a, b);
         const Vec3 middle = 0.5 * (mesh.point3(a) + mesh.point3(b));
         const PieceId curve = network.under_edge(tags.support[a], tags.support[b], middle);
-        constraint[e] = curve.valid() ? static_cast<std::int32_t>(curve.value()) : -1;
+        constraint[e] = curve.valid() ? number_of(network, curve) : -1;
         if (!t.valid()) kind[e] = kOuterBoundary;
       }
     }

@@ -13,6 +13,7 @@
 #include "pipeline/section/options.hpp"
 #include "pipeline/section/stages.hpp"
 #include "surface/feature/options.hpp"
+#include "surface/imprint/imprint.hpp"
 #include "surface/quads/quads.hpp"
 #include "surface/remesh/options.hpp"
 #include "surface/repair/repair.hpp"
@@ -21,6 +22,10 @@ namespace quarry {
 
 struct SurfaceOptions {
   std::vector<std::string> inputs;
+  // Files of lines that lie on or near the surface and become chains of edges; and how near to a point or an
+  // edge of the surface they go through it, by default 0.05 of the size.
+  std::vector<std::string> lines;
+  std::optional<double> snap;
   // Wanted edge of the final elements in input units; or about how many elements. Exactly one is given.
   std::optional<double> size;
   std::optional<double> count;
@@ -39,13 +44,16 @@ struct FeatureCounts {
 
 struct SurfaceResult {
   // Faces with the tag "region": the group of the input's triangles; edge entities on features with the tags
-  // "constraint" (number of the curve) and "kind". Vertices where sheets meet are there once for each sheet,
+  // "constraint" (number of the line in reading order; of other features that of the curve, counted on from the
+  // lines) and "kind". Vertices where sheets meet are there once for each sheet,
   // marked as in engine/mesh/pinch.hpp: one point in a file. Compact, in Hilbert order.
   Mesh mesh;
   GroupNames names;  // of the groups of the input
   TriangleSurface repaired;
   RepairReport repair;
   FeatureCounts features;
+  ImprintReport imprint;
+  std::size_t lines = 0;  // read
   double size = 0;  // as used
   RemeshReport remesh;
   SurfaceQuadReport quads;

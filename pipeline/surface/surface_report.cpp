@@ -68,6 +68,21 @@ JobReport report_surface(const SurfaceOptions& options, const SurfaceResult& res
                    {"holes", whole(result.repair.holes)},       {"splits", whole(r.splits)},
                    {"collapses", whole(r.collapses)},           {"flips", whole(r.flips)}};
   report.notes = result.notes;
+  if (!options.lines.empty()) {
+    report.input_files.insert(report.input_files.end(), options.lines.begin(), options.lines.end());
+    report.counts.insert(report.counts.end(), {{"lines", whole(result.lines)},
+                                               {"imprinted_lines", whole(result.imprint.imprinted)},
+                                               {"line_ends_outside", whole(result.imprint.outside.count)},
+                                               {"lost_stretches", whole(result.imprint.lost.count)}});
+    report.notes.push_back(fmt::format("{} of {} lines lie on the surface, with all or a part of them",
+                                       result.imprint.imprinted, result.lines));
+    if (result.imprint.outside.count > 0)
+      report.notes.push_back(fmt::format("{} times a line leaves the surface or comes to it, at{}",
+                                         result.imprint.outside.count, places_of(result.imprint.outside)));
+    if (result.imprint.lost.count > 0)
+      report.notes.push_back(fmt::format("{} stretches of lines could not be followed across the surface, before{}",
+                                         result.imprint.lost.count, places_of(result.imprint.lost)));
+  }
   for (const RepairLine& line : repair_lines(result.repair)) {
     report.counts.push_back({line.name, whole(line.count.count)});
     if (line.count.count > 0)

@@ -43,7 +43,7 @@ class CurveBuilder {
       if (node_[p] != 0) network.nodes.push_back(p);
     for (Chain& chain : chains()) {
       Polyline3 course(points_of(chain.points));
-      network.curves.push_back({std::move(chain.points), chain.kind, std::move(course)});
+      network.curves.push_back({std::move(chain.points), chain.kind, chain.line, std::move(course)});
     }
     return network;
   }
@@ -52,6 +52,7 @@ class CurveBuilder {
   struct Chain {
     std::vector<std::uint32_t> points;
     FeatureKind kind;
+    std::int32_t line;
   };
 
   [[nodiscard]] std::span<const std::uint32_t> around(std::uint32_t p) const {
@@ -67,7 +68,10 @@ class CurveBuilder {
     for (std::uint32_t p = 0; p < node_.size(); ++p) {
       const auto edges = around(p);
       if (edges.empty()) continue;
-      node_[p] = edges.size() != 2 || features_[edges[0]].kind != features_[edges[1]].kind ? 1 : 0;
+      const auto alike = [&](const FeatureEdge& a, const FeatureEdge& b) {
+        return a.kind == b.kind && a.line == b.line;
+      };
+      node_[p] = edges.size() != 2 || !alike(features_[edges[0]], features_[edges[1]]) ? 1 : 0;
     }
   }
 
@@ -85,7 +89,7 @@ class CurveBuilder {
   }
 
   Chain follow(std::uint32_t from, std::uint32_t edge) {
-    Chain chain{{from}, features_[edge].kind};
+    Chain chain{{from}, features_[edge].kind, features_[edge].line};
     std::uint32_t at = from;
     for (;;) {
       seen_[edge] = 1;

@@ -17,6 +17,7 @@ namespace quarry {
 struct FeatureCurve {
   std::vector<std::uint32_t> points;  // of the surface; a closed curve ends where it begins
   FeatureKind kind;
+  std::int32_t line;  // of which it is a part; -1: of none
   Polyline3 course;
 };
 
@@ -32,7 +33,7 @@ struct CurveNetwork {
   [[nodiscard]] PieceId under_edge(Support a, Support b, Vec3 middle) const;
 };
 
-// Nodes are the points at which other than two features meet, or two of different kinds, and the corners of
+// Nodes are the points at which other than two features meet, or two of different kinds or lines, and the corners of
 // chains: places where a chain turns by the stated angle over the stated length, strongest first and none
 // within that length of another node. A closed curve may have no node.
 [[nodiscard]] CurveNetwork make_curve_network(const TriangleSurface& surface,

@@ -14,7 +14,7 @@ constexpr double kDegree = std::numbers::pi / 180;
 
 SheetJoin ends_of(const TriangleSurface& surface, const SurfaceEdges& edges, std::size_t edge) {
   const auto [a, b] = SurfaceEdges::ends(surface, edges.sides(edge)[0]);
-  return {std::min(a, b), std::max(a, b)};
+  return join_of(a, b);
 }
 
 // How much the surface turns beside an edge of two triangles.
@@ -31,7 +31,13 @@ double turn_beside(const SurfaceEdges& edges, const std::vector<double>& angles,
 
 }  // namespace
 
-FeatureEdges find_feature_edges(const RepairedSurface& repaired, const FeatureOptions& options) {
+FeatureEdges find_feature_edges(const RepairedSurface& repaired, const FeatureOptions& options,
+                                std::span<const LineEdge> lines) {
+  const auto line_of = [&](const SheetJoin& ends) {
+    const auto found = std::lower_bound(lines.begin(), lines.end(), ends,
+                                        [](const LineEdge& edge, const SheetJoin& e) { return edge.ends < e; });
+    return found != lines.end() && found->ends == ends ? found->line : -1;
+  };
   const TriangleSurface& surface = repaired.surface;
   const SurfaceEdges edges(surface);
   const std::vector<double> angles = dihedral_angles(surface, edges);
@@ -42,10 +48,13 @@ FeatureEdges find_feature_edges(const RepairedSurface& repaired, const FeatureOp
   for (std::size_t e = 0; e < edges.count(); ++e) {
     const SheetJoin ends = ends_of(surface, edges, e);
     const auto sides = edges.sides(e);
+    const std::int32_t line = line_of(ends);
     if (sides.size() == 1) {
-      features.push_back({ends, FeatureKind::kRim});
+      features.push_back({ends, FeatureKind::kRim, line});
     } else if (std::binary_search(repaired.joins.begin(), repaired.joins.end(), ends)) {
-      features.push_back({ends, FeatureKind::kJoin});
+      features.push_back({ends, FeatureKind::kJoin, line});
+    } else if (line >= 0) {
+      features.push_back({ends, FeatureKind::kLine, line});
     } else if (options.group_borders && surface.groups[sides[0] / 3] != surface.groups[sides[1] / 3]) {
       features.push_back({ends, FeatureKind::kBorder});
     } else if (angles[e] >= options.weakest_share * sharp) {

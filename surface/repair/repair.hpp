@@ -50,6 +50,9 @@ struct RepairReport {
 
 // An edge in which sheets end that go on as others do: branches and seams. Ascending ends.
 using SheetJoin = std::array<std::uint32_t, 2>;
+[[nodiscard]] constexpr SheetJoin join_of(std::uint32_t a, std::uint32_t b) {
+  return a < b ? SheetJoin{a, b} : SheetJoin{b, a};
+}
 
 struct RepairedSurface {
   TriangleSurface surface;

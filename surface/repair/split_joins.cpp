@@ -11,8 +11,6 @@
 namespace quarry {
 namespace {
 
-SheetJoin join_of(std::uint32_t a, std::uint32_t b) { return {std::min(a, b), std::max(a, b)}; }
-
 // Halves an edge at a new point, and each triangle that has it.
 void halve(RepairedSurface& repaired, std::span<const std::uint32_t> sides, std::vector<SheetJoin>& joins) {
   TriangleSurface& surface = repaired.surface;

@@ -1,5 +1,7 @@
 #include "pipeline/surface/surface.hpp"
 
+#include <array>
+#include <cmath>
 #include <fstream>
 #include <set>
 #include <string>
@@ -50,6 +52,31 @@ TEST_F(SurfaceJob, MeetsTheCountWithinFivePerCent) {
       const SurfaceResult result = mesh_surface(options_for(path, count, elements), Progress());
       EXPECT_NEAR(static_cast<double>(result.mesh.count_alive_faces()), count, 0.05 * count);
     }
+}
+
+TEST_F(SurfaceJob, KeepsLinesAsChainsWithTheirNumbers) {
+  const std::string lines = folder_.file("lines.geojson");
+  std::ofstream(lines) << R"({"type":"MultiLineString","coordinates":[[[0.1,0.2],[0.9,0.7]],[[0.2,0.8],[0.8,0.1]],)"
+                          R"([[0.5,0.9],[0.55,1.3]],[[3,3],[4,4]]]})";
+  const auto hills = [](double x, double y) { return 0.1 * std::sin(6 * x) * std::cos(5 * y); };
+  SurfaceOptions options = options_for(file_of(test::terrain(30, 30, hills)), 2000);
+  options.lines = {lines};
+  const SurfaceResult result = mesh_surface(options, Progress());
+  const Mesh& mesh = result.mesh;
+  const auto constraint = mesh.find_tag<EdgeId, std::int32_t>("constraint");
+  std::array<double, 4> lengths{};
+  for (const EdgeId e : mesh.edges()) {
+    if (constraint[e] >= 4) continue;
+    const auto [a, b] = mesh.edge_ends(e);
+    const Vec3 d = mesh.point3(b) - mesh.point3(a);
+    lengths.at(static_cast<std::size_t>(constraint[e])) += std::hypot(d.x, d.y);
+  }
+  EXPECT_NEAR(lengths[0], std::hypot(0.8, 0.5), 0.01);
+  EXPECT_NEAR(lengths[1], std::hypot(0.6, 0.7), 0.01);
+  EXPECT_NEAR(lengths[2], 0.1 * std::hypot(1, 0.125), 0.01);
+  EXPECT_EQ(lengths[3], 0);
+  EXPECT_EQ(result.imprint.imprinted, 3U);
+  EXPECT_GT(summarize_quality(mesh).quads.scaled_jacobian.min, 0.2);
 }
 
 TEST_F(SurfaceJob, KeepsGroupsAsRegionsWithTheirNames) {

@@ -1,0 +1,50 @@
+// Cuts lines into a triangulated surface, so that they become edges of its triangles: what a mesh of the
+// surface keeps like any other feature. Lines may cross, touch and end anywhere.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "surface/repair/repair.hpp"
+
+namespace quarry {
+
+// A line on or near the surface.
+struct SurfaceLine {
+  std::vector<Vec3> points;
+  // Without heights (z is passed over) a line lies where plumb lines through it meet the surface from above.
+  bool has_heights = true;
+};
+
+struct ImprintOptions {
+  // Between its points a line is led across the surface in steps of at most this length; it should be half a
+  // wanted edge or less.
+  double step = 1;
+  // What of a line comes nearer than this to a point or an edge of the surface goes through it.
+  double snap = 0;
+  // How far from the surface a line with heights may lie; what lies farther is left out.
+  double reach = 0;
+};
+
+struct ImprintReport {
+  RepairCount outside;  // ends of stretches that do not lie on the surface, left out
+  RepairCount lost;     // stretches that could not be followed across the surface, left out
+  std::uint64_t imprinted = 0;  // lines of which something lies on the surface
+};
+
+// An edge that a line goes along.
+struct LineEdge {
+  std::array<std::uint32_t, 2> ends;  // points of the surface, ascending
+  std::int32_t line;                  // of several lines the first
+
+  friend bool operator==(const LineEdge&, const LineEdge&) = default;
+};
+
+// New points come last; of a triangle that is cut one part keeps its number, and its group goes to all. Joins
+// that are crossed are cut too. Returns the edges, ascending. Line after line, and so the same each time.
+[[nodiscard]] std::vector<LineEdge> imprint_lines(RepairedSurface& repaired, std::span<const SurfaceLine> lines,
+                                                  const ImprintOptions& options, ImprintReport& report);
+
+}  // namespace quarry
