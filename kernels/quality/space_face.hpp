@@ -15,7 +15,9 @@ namespace quarry {
 inline constexpr double kLeastFacing = 0.3;
 
 // The smallest corner sine (of a triangle times 2 / sqrt(3)) as seen along the face's own normal, the cross
-// product of its diagonals; -1 if that turns too far from the surface, or there is none.
+// product of its diagonals; at most -0.1 where it is not positive. Where that normal turns too far from the
+// surface: between -0.1 and 0 for a face that would be valid otherwise, so that no change makes it not convex
+// for the sake of its direction; -1 if it points away, or there is none.
 [[nodiscard]] inline double scaled_jacobian_in_space(std::span<const SpacePoint> corners) {
   constexpr double kTriangleFactor = 1.1547005383792515;
   const std::size_t count = corners.size();
@@ -24,7 +26,10 @@ inline constexpr double kLeastFacing = 0.3;
   Vec3 up;
   for (const SpacePoint& corner : corners) up = up + corner.up;
   const double size = length(normal);
-  if (!(size > 0) || !(dot(normal, up) >= kLeastFacing * size * length(up))) return -1;
+  const double facing = dot(normal, up);
+  const double least = kLeastFacing * size * length(up);
+  if (!(size > 0) || !(facing >= 0)) return -1;
+  constexpr double kNotConvex = -0.1;
   double smallest = 1;
   for (std::size_t k = 0; k < count; ++k) {
     const SpacePoint out = corners[(k + 1) % count] - corners[k];
@@ -32,7 +37,9 @@ inline constexpr double kLeastFacing = 0.3;
     const double lengths = std::sqrt(dot(out, out) * dot(back, back));
     smallest = std::min(smallest, lengths > 0 ? dot(cross(out, back), normal) / (lengths * size) : -1.0);
   }
-  return count == 3 ? std::min(1.0, kTriangleFactor * smallest) : smallest;
+  if (count == 3) smallest = std::min(1.0, kTriangleFactor * smallest);
+  if (!(smallest > 0)) return std::min(smallest, kNotConvex);
+  return facing >= least ? smallest : kNotConvex * (1 - 0.9 * smallest);
 }
 
 }  // namespace quarry

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 #include <type_traits>
 
 #include "engine/geometry/model.hpp"
@@ -28,7 +29,8 @@ template <>
 class TangentFrame<SpacePoint> {
  public:
   // normal: of length 1. The frame turns left seen from where it points to.
-  TangentFrame(const SpacePoint& point, Vec3 normal) : place_(point.place), up_(normal) {
+  TangentFrame(const SpacePoint& point, Vec3 normal)
+      : place_(point.place), up_(normal), found_at_(point.found_at) {
     // The axis that is least along the normal gives the first direction without cancellation.
     const Vec3 size{std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)};
     Vec3 axis{0, 0, 1};
@@ -45,11 +47,12 @@ class TangentFrame<SpacePoint> {
     return {dot(edge, first_), dot(edge, second_)};
   }
   [[nodiscard]] SpacePoint at(Vec2 offset) const {
-    return {place_ + offset.x * first_ + offset.y * second_, up_};
+    return {place_ + offset.x * first_ + offset.y * second_, up_, found_at_};
   }
 
  private:
   Vec3 place_, up_, first_, second_;
+  std::uint32_t found_at_;
 };
 
 // The frame of a model at one of its points.

@@ -29,8 +29,9 @@ SurfaceModel::SurfaceModel(const Mesh& triangles, const ConstraintTags& tags)
 
 SurfacePoint SurfaceModel::nearest(const SpacePoint& p) const {
   const double size = length(p.up);
-  if (!(size > 0)) return tree_.closest(p.place);
   ClosestQuery query;
+  if (p.found_at != SpacePoint::kNowhere) query.start = TriangleId(p.found_at);
+  if (!(size > 0)) return tree_.closest(p.place, query);
   query.normal = (1 / size) * p.up;
   query.least_cosine = kSameSide;
   const SurfacePoint found = tree_.closest(p.place, query);
@@ -42,7 +43,7 @@ SpacePoint SurfaceModel::with_normal(const SurfacePoint& p) const {
   const CornerWeights& w = p.weights;
   const Vec3 sum = w[0] * normals[0] + w[1] * normals[1] + w[2] * normals[2];
   const double size = length(sum);
-  return {p.position, size > 0 ? (1 / size) * sum : normals[0]};
+  return {p.position, size > 0 ? (1 / size) * sum : normals[0], p.triangle.value()};
 }
 
 SpacePoint SurfaceModel::project(const SpacePoint& p) const { return with_normal(nearest(p)); }
