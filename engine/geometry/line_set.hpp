@@ -21,10 +21,10 @@ using PieceId = Id<struct PieceKind>;  // a straight segment between two nodes o
 struct InputLine {
   std::vector<Vec2> points;
   std::vector<double> heights;  // one a point; empty if the file does not give all of them
-  std::uint32_t file = 0;     // index into LineSet::files
-  std::uint32_t feature = 0;  // number of the feature in its file, from 0
-  bool polygon_ring = false;  // a ring of a Polygon or MultiPolygon
-  bool hole = false;          // an inner ring
+  std::uint32_t file = 0;       // index into LineSet::files
+  std::uint32_t feature = 0;    // number of the feature in its file, from 0
+  bool polygon_ring = false;    // a ring of a Polygon or MultiPolygon
+  bool hole = false;            // an inner ring
 
   [[nodiscard]] bool closed() const { return points.size() > 2 && points.front() == points.back(); }
 };

@@ -124,8 +124,7 @@ std::string GeojsonCoordinates::append_lines(std::string_view type, std::uint32_
     const std::size_t polygon = known->part_depth == 3 ? part.polygon : 0;
     line.hole = known->polygon && polygon == last_polygon;
     last_polygon = polygon;
-    if (known->polygon && count > 1 && !(line.points.front() == line.points.back()))
-{
+    if (known->polygon && count > 1 && !(line.points.front() == line.points.back())) {
       line.points.push_back(line.points.front());
       if (!line.heights.empty()) line.heights.push_back(line.heights.front());
     }

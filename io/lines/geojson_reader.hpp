@@ -10,8 +10,8 @@ namespace quarry {
 
 // Appends the lines of a file: LineString, MultiLineString, Polygon, MultiPolygon, also within (nested)
 // GeometryCollections, Features and FeatureCollections. Points and geometries that are null are passed over;
-// the third coordinate is the height, those beyond are ignored; keys may come in any order; a ring that is not closed is closed.
-// file: the index of the path in lines.files. Errors as in read_lines.
+// the third coordinate is the height, those beyond are ignored; keys may come in any order; a ring that is
+// not closed is closed. file: the index of the path in lines.files. Errors as in read_lines.
 void read_geojson_lines(const std::string& path, std::uint32_t file, LineSet& lines);
 
 }  // namespace quarry

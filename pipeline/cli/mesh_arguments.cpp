@@ -125,9 +125,10 @@ void add_surface_options(CLI::App& command, MeshArguments& arguments) {
       ->type_name("auto|DEGREES")
       ->group(group);
   command
-      .add_option("--lines", arguments.lines,
-                  "lines on or near the surface (GeoJSON) that become chains of edges; without heights they lie "
-                  "where plumb lines meet the surface from above")
+      .add_option(
+          "--lines", arguments.lines,
+          "lines on or near the surface (GeoJSON) that become chains of edges; without heights they lie "
+          "where plumb lines meet the surface from above")
       ->type_name("FILE")
       ->group(group);
   command

@@ -44,9 +44,9 @@ struct FeatureCounts {
 
 struct SurfaceResult {
   // Faces with the tag "region": the group of the input's triangles; edge entities on features with the tags
-  // "constraint" (number of the line in reading order; of other features that of the curve, counted on from the
-  // lines) and "kind". Vertices where sheets meet are there once for each sheet,
-  // marked as in engine/mesh/pinch.hpp: one point in a file. Compact, in Hilbert order.
+  // "constraint" (number of the line in reading order; of other features that of the curve, counted on from
+  // the lines) and "kind". Vertices where sheets meet are there once for each sheet, marked as in
+  // engine/mesh/pinch.hpp: one point in a file. Compact, in Hilbert order.
   Mesh mesh;
   GroupNames names;  // of the groups of the input
   TriangleSurface repaired;
@@ -54,7 +54,7 @@ struct SurfaceResult {
   FeatureCounts features;
   ImprintReport imprint;
   std::size_t lines = 0;  // read
-  double size = 0;  // as used
+  double size = 0;        // as used
   RemeshReport remesh;
   SurfaceQuadReport quads;
   std::vector<std::string> notes;  // one line each: what the user should know

@@ -80,8 +80,9 @@ JobReport report_surface(const SurfaceOptions& options, const SurfaceResult& res
       report.notes.push_back(fmt::format("{} times a line leaves the surface or comes to it, at{}",
                                          result.imprint.outside.count, places_of(result.imprint.outside)));
     if (result.imprint.lost.count > 0)
-      report.notes.push_back(fmt::format("{} stretches of lines could not be followed across the surface, before{}",
-                                         result.imprint.lost.count, places_of(result.imprint.lost)));
+      report.notes.push_back(
+          fmt::format("{} stretches of lines could not be followed across the surface, before{}",
+                      result.imprint.lost.count, places_of(result.imprint.lost)));
   }
   for (const RepairLine& line : repair_lines(result.repair)) {
     report.counts.push_back({line.name, whole(line.count.count)});

@@ -34,8 +34,9 @@ double turn_beside(const SurfaceEdges& edges, const std::vector<double>& angles,
 FeatureEdges find_feature_edges(const RepairedSurface& repaired, const FeatureOptions& options,
                                 std::span<const LineEdge> lines) {
   const auto line_of = [&](const SheetJoin& ends) {
-    const auto found = std::lower_bound(lines.begin(), lines.end(), ends,
-                                        [](const LineEdge& edge, const SheetJoin& e) { return edge.ends < e; });
+    const auto found =
+        std::lower_bound(lines.begin(), lines.end(), ends,
+                         [](const LineEdge& edge, const SheetJoin& e) { return edge.ends < e; });
     return found != lines.end() && found->ends == ends ? found->line : -1;
   };
   const TriangleSurface& surface = repaired.surface;

@@ -90,7 +90,8 @@ class Imprinter {
     visit(on, true);
   }
 
-  // The next place of the line. One that need not be a point of it, and lies near the last one, is passed over.
+  // The next place of the line. One that need not be a point of it, and lies near the last one, is passed
+  // over.
   void visit(Vec3 p, bool must) {
     const std::optional<Foot> foot = foot_of(p);
     if (!foot) {
@@ -103,7 +104,8 @@ class Imprinter {
     last_ = next;
   }
 
-  // From point to point, through edges that are there or that cutting makes; each step comes nearer to the aim.
+  // From point to point, through edges that are there or that cutting makes; each step comes nearer to the
+  // aim.
   bool go(std::uint32_t from, std::uint32_t aim) {
     while (from != aim) {
       const std::optional<std::uint32_t> next = step(from, aim);
@@ -141,7 +143,8 @@ class Imprinter {
   // The way across one triangle, or along its edges, if it is straighter than the best one so far.
   void consider(std::uint32_t triangle, std::uint32_t from, Vec3 d, Way& best) const {
     const SurfaceTriangle& corners = split_.surface().triangles[triangle];
-    const auto k = static_cast<std::size_t>(std::find(corners.begin(), corners.end(), from) - corners.begin());
+    const auto k =
+        static_cast<std::size_t>(std::find(corners.begin(), corners.end(), from) - corners.begin());
     const std::uint32_t x = corners[(k + 1) % 3], y = corners[(k + 2) % 3];
     const Vec3 u = split_.point(x) - split_.point(from), w = split_.point(y) - split_.point(from);
     const auto offer = [&](Vec3 way, std::uint32_t a, std::uint32_t b, double share) {

@@ -29,8 +29,8 @@ struct ImprintOptions {
 };
 
 struct ImprintReport {
-  RepairCount outside;  // ends of stretches that do not lie on the surface, left out
-  RepairCount lost;     // stretches that could not be followed across the surface, left out
+  RepairCount outside;          // ends of stretches that do not lie on the surface, left out
+  RepairCount lost;             // stretches that could not be followed across the surface, left out
   std::uint64_t imprinted = 0;  // lines of which something lies on the surface
 };
 
@@ -44,7 +44,8 @@ struct LineEdge {
 
 // New points come last; of a triangle that is cut one part keeps its number, and its group goes to all. Joins
 // that are crossed are cut too. Returns the edges, ascending. Line after line, and so the same each time.
-[[nodiscard]] std::vector<LineEdge> imprint_lines(RepairedSurface& repaired, std::span<const SurfaceLine> lines,
+[[nodiscard]] std::vector<LineEdge> imprint_lines(RepairedSurface& repaired,
+                                                  std::span<const SurfaceLine> lines,
                                                   const ImprintOptions& options, ImprintReport& report);
 
 }  // namespace quarry

@@ -70,8 +70,7 @@ void SplitSurface::add_part(std::uint32_t of, SurfaceTriangle corners) {
 
 void SplitSurface::replace(std::uint32_t triangle, SurfaceTriangle corners) {
   for (const std::uint32_t p : surface_.triangles[triangle])
-    if (std::find(corners.begin(), corners.end(), p) == corners.end())
-      std::erase(around_[p], triangle);
+    if (std::find(corners.begin(), corners.end(), p) == corners.end()) std::erase(around_[p], triangle);
   for (const std::uint32_t p : corners)
     if (std::find(around_[p].begin(), around_[p].end(), triangle) == around_[p].end())
       around_[p].push_back(triangle);

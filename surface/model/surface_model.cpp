@@ -25,7 +25,15 @@ TriangleTree tree_of(const Mesh& mesh) {
 }  // namespace
 
 SurfaceModel::SurfaceModel(const Mesh& triangles, const ConstraintTags& tags)
-    : tree_(tree_of(triangles)), normals_(corner_normals(triangles, tags)) {}
+    : tree_(tree_of(triangles)), normals_(corner_normals(triangles, tags)) {
+  for (const VertexId v : triangles.vertices()) {
+    if (!triangles.alive(v) || !tags.support[v].is_free()) continue;
+    const SideId s = triangles.side_of(v);
+    free_points_.push_back({triangles.point3(v),
+                            normals_[s.face().value()][static_cast<std::size_t>(s.index())],
+                            s.face().value()});
+  }
+}
 
 SurfacePoint SurfaceModel::nearest(const SpacePoint& p) const {
   const double size = length(p.up);

@@ -2,6 +2,7 @@
 // point, and the normal there, which turns smoothly from triangle to triangle but for features.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "engine/geometry/model.hpp"
@@ -25,9 +26,13 @@ class SurfaceModel : public SpaceModel {
   // slack, faces away from the direction: what faces so there lies upside down.
   [[nodiscard]] bool faces_along(Vec3 place, Vec3 direction, double slack) const;
 
+  // Its own points that are on no feature, with the normals there.
+  [[nodiscard]] std::span<const SpacePoint> free_points() const { return free_points_; }
+
  private:
   TriangleTree tree_;
   std::vector<CornerNormals> normals_;
+  std::vector<SpacePoint> free_points_;
 };
 
 }  // namespace quarry

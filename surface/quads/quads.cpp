@@ -14,6 +14,7 @@
 #include "kernels/smooth/local_smoother.hpp"
 #include "surface/quads/mend_faces.hpp"
 #include "surface/quads/place_on_surface.hpp"
+#include "surface/quads/reach_far_points.hpp"
 
 namespace quarry {
 namespace {
@@ -40,6 +41,7 @@ class SurfaceQuads {
     if (options_.cleanup != CleanUpLevel::kNone) clean_up();
     smooth(options_.last_sweeps);
     mend();
+    report_.reached = reach_far_points(mesh_, ConstraintTags::of(mesh_), model_, options_.reach, progress_);
     return std::move(mesh_);
   }
 

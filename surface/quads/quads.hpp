@@ -10,6 +10,7 @@
 #include "kernels/cluster/subdivide.hpp"
 #include "surface/feature/curve_network.hpp"
 #include "surface/model/surface_model.hpp"
+#include "surface/quads/reach_far_points.hpp"
 
 namespace quarry {
 
@@ -27,6 +28,7 @@ struct SurfaceQuadOptions {
   std::size_t wanted_faces = 0;
   // Sweeps over the whole mesh: after halving, between the steps of clean-up, and at the end.
   int first_sweeps = 5, sweeps_between = 2, last_sweeps = 25;
+  ReachOptions reach;
   // More weight for the size than in patches: over a whole mesh quads would stretch.
   ShapeTarget target{.size_weight = 0.3};
 };
@@ -35,6 +37,7 @@ struct SurfaceQuadReport {
   PairingReport pairing;
   SubdivideReport subdivide;
   CleanUpReport clean_up;       // all smoothing is in its smoothing_seconds
+  std::size_t reached = 0;      // vertices that were brought to far points of the surface
   std::size_t turned_over = 0;  // faces that are so in the end, by the normals at their free vertices
 };
 

@@ -162,10 +162,10 @@ class JoinCoarsener {
   TriangleSurface& surface_;
   RepairedSurface& repaired_;
   const CoarsenJoinsOptions& options_;
-  std::vector<std::vector<std::uint32_t>> around_;               // triangles, by point
-  std::map<SheetJoin, std::vector<std::uint32_t>> passed_;       // the joins, and the points that were on them
-  std::map<std::uint32_t, std::vector<std::uint32_t>> along_;    // the points that joins lead to
-  std::set<std::pair<double, SheetJoin>> queue_;                 // by length
+  std::vector<std::vector<std::uint32_t>> around_;             // triangles, by point
+  std::map<SheetJoin, std::vector<std::uint32_t>> passed_;     // the joins, and the points that were on them
+  std::map<std::uint32_t, std::vector<std::uint32_t>> along_;  // the points that joins lead to
+  std::set<std::pair<double, SheetJoin>> queue_;               // by length
 };
 
 }  // namespace

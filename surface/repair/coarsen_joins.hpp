@@ -8,7 +8,8 @@
 namespace quarry {
 
 struct CoarsenJoinsOptions {
-  // Joins shorter than the first are collapsed along their curve, if no edge longer than the second comes of it.
+  // Joins shorter than the first are collapsed along their curve, if no edge longer than the second comes of
+  // it.
   double shortest = 0, longest = 0;
   // No point of the curve as it was may lie farther from the edge that takes its place.
   double deviation = 0;

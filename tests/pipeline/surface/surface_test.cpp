@@ -56,8 +56,9 @@ TEST_F(SurfaceJob, MeetsTheCountWithinFivePerCent) {
 
 TEST_F(SurfaceJob, KeepsLinesAsChainsWithTheirNumbers) {
   const std::string lines = folder_.file("lines.geojson");
-  std::ofstream(lines) << R"({"type":"MultiLineString","coordinates":[[[0.1,0.2],[0.9,0.7]],[[0.2,0.8],[0.8,0.1]],)"
-                          R"([[0.5,0.9],[0.55,1.3]],[[3,3],[4,4]]]})";
+  std::ofstream(lines)
+      << R"({"type":"MultiLineString","coordinates":[[[0.1,0.2],[0.9,0.7]],[[0.2,0.8],[0.8,0.1]],)"
+         R"([[0.5,0.9],[0.55,1.3]],[[3,3],[4,4]]]})";
   const auto hills = [](double x, double y) { return 0.1 * std::sin(6 * x) * std::cos(5 * y); };
   SurfaceOptions options = options_for(file_of(test::terrain(30, 30, hills)), 2000);
   options.lines = {lines};

@@ -55,7 +55,9 @@ Imprinted imprinted(TriangleSurface surface, const std::vector<SurfaceLine>& lin
   return result;
 }
 
-TriangleSurface plain() { return test::terrain(10, 10, [](double, double) { return 0.0; }); }
+TriangleSurface plain() {
+  return test::terrain(10, 10, [](double, double) { return 0.0; });
+}
 TriangleSurface hills() {
   return test::terrain(20, 20, [](double x, double y) { return 0.1 * std::sin(7 * x) * std::cos(5 * y); });
 }

@@ -103,6 +103,21 @@ TEST(SurfaceQuads, OfAThinLensHaveNoFaceThatIsTurnedOver) {
   }
 }
 
+TEST(SurfaceQuads, ReachTheTipsOfTheSurface) {
+  TriangleSurface spiny = test::sphere(5);
+  // A blunt thorn, narrower than an element.
+  for (Vec3& p : spiny.points)
+    if (p.z > 0.999) p.z += 0.04;
+  Vec3 tip;
+  for (const Vec3 p : spiny.points) tip = p.z > tip.z ? p : tip;
+  const Quads quads = quads_of(spiny, 0.1);
+  EXPECT_GT(quads.report.reached, 0U);
+  double least = 1;
+  for (const VertexId v : quads.mesh.vertices()) least = std::min(least, length(quads.mesh.point3(v) - tip));
+  EXPECT_LT(least, 0.02);
+  EXPECT_GT(summarize_quality(quads.mesh).quads.scaled_jacobian.min, 0.15);
+}
+
 TEST(SurfaceQuadThreads, GiveTheSameMeshOnAnyNumber) {
   const auto height = [](double x, double y) { return 0.2 * std::sin(9 * x + y) * std::cos(8 * y); };
   std::vector<std::uint64_t> serial;
