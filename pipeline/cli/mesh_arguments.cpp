@@ -125,6 +125,12 @@ void add_surface_options(CLI::App& command, MeshArguments& arguments) {
       ->type_name("auto|DEGREES")
       ->group(group);
   command
+      .add_option("--curvature", arguments.curvature,
+                  "where the surface is curved elements are so small that the middles of their edges lie no "
+                  "farther from it than this")
+      ->type_name("ERROR")
+      ->group(group);
+  command
       .add_option(
           "--lines", arguments.lines,
           "lines on or near the surface (GeoJSON) that become chains of edges; without heights they lie "
@@ -231,6 +237,7 @@ void fill_section(MeshArguments& arguments) {
   if (section.inputs.empty())
     throw Error(ErrorKind::kUsage, "no input file is given; see quarry mesh --help");
   if (arguments.output.empty()) throw Error(ErrorKind::kUsage, "no output is given: name it with -o OUT.vtu");
+  if (arguments.curvature) throw Error(ErrorKind::kUsage, "--curvature is for surfaces; the input is lines");
   if (!arguments.lines.empty())
     throw Error(ErrorKind::kUsage, "--lines is for lines on a surface; give the files of lines as inputs");
   if (!(section.max_elements >= 1 && section.max_elements <= kMostElements))

@@ -31,6 +31,7 @@ struct MeshArguments {
   std::string sharp = "auto", repaired;
   std::vector<std::string> lines;
   double weld = 0;
+  std::optional<double> curvature;
   std::uint32_t fill_holes = 0;
 };
 

@@ -71,6 +71,9 @@ SurfaceOptions options_of(const MeshArguments& arguments) {
   SurfaceOptions options;
   options.inputs = section.inputs;
   options.lines = arguments.lines;
+  options.curvature = arguments.curvature;
+  if (options.curvature && !(*options.curvature > 0 && std::isfinite(*options.curvature)))
+    throw Error(ErrorKind::kUsage, fmt::format("--curvature is {}: it must be above 0", *options.curvature));
   options.snap = section.snap;
   if (section.snap && !(*section.snap >= 0 && std::isfinite(*section.snap)))
     throw Error(ErrorKind::kUsage, fmt::format("--snap is {}: it must be 0 or more", *section.snap));

@@ -25,7 +25,7 @@ std::vector<PageFigure> figures_of(const QualitySummary& quality) {
        {"scaled Jacobian, smallest", fmt::format("{:.3f}", all.scaled_jacobian.min)},
        {"mean", fmt::format("{:.4f}", all.scaled_jacobian.mean)},
        {"below 0.2", fmt::format("{:.3f} %", 100 * all.share(all.scaled_jacobian_below_0p2))},
-       {"smallest angle", fmt::format("{:.1f} degrees", all.min_angle.min)},
+       {"smallest angle", fmt::format("{:.1f}\u00b0", all.min_angle.min)},
        {"smallest angles in 80 to 90",
         fmt::format("{:.1f} %", 100 * all.share(all.min_angle_histogram.back()))},
        {"longest by shortest edge", fmt::format("{:.2f}", all.aspect.max)},

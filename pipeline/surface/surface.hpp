@@ -29,6 +29,9 @@ struct SurfaceOptions {
   // Wanted edge of the final elements in input units; or about how many elements. Exactly one is given.
   std::optional<double> size;
   std::optional<double> count;
+  // How far from the surface the middle of an edge may lie, in input units: elements are smaller where it is
+  // curved.
+  std::optional<double> curvature;
   double max_elements = 2e8;
   Elements elements = Elements::kQuad;  // or kTriangle
   CleanUpLevel cleanup = CleanUpLevel::kFull;

@@ -48,6 +48,7 @@ std::vector<ReportItem> resolved_options(const SurfaceOptions& options, const Su
           {"cleanup", std::string(name_of(options.elements == Elements::kTriangle ? CleanUpLevel::kNone
                                                                                   : options.cleanup))},
           {"sharp", result.features.sharp_degrees},
+          {"curvature", options.curvature.value_or(0)},
           {"weld", options.repair.weld},
           {"fill-holes", std::int64_t{options.repair.fill_holes}}};
 }

@@ -72,6 +72,8 @@ for threads in 1 2 4 7; do
     --threads "$threads" --picture "$OUT/cube.png" --page "$OUT/cube.html" --report "$OUT/cube.json" --repaired "$OUT/repaired.ply" --quiet
   expect "the same bytes of a surface on $threads threads" 0 cmp "$OUT/cube_1.vtu" "$OUT/cube_$threads.vtu"
 done
+expect "lines on a surface" 0 "$QUARRY" mesh "$(dirname "$SECTION")/demo_horizon.obj" \
+  --lines "$(dirname "$SECTION")/demo_horizon_traces.geojson" -o "$OUT/horizon.vtu" --size 40 --curvature 2 --quiet
 expect "triangles on a surface" 0 "$QUARRY" mesh "$OUT/cube.obj" -o "$OUT/cube.stl" --size 0.2 --elements tri --quiet
 expect "the report of a surface is JSON" 0 python3 -m json.tool "$OUT/cube.json"
 refuses "an option of lines for a surface" 2 "$OUT/cube.obj" --size 0.2 --snap 0.1

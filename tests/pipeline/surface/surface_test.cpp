@@ -54,6 +54,29 @@ TEST_F(SurfaceJob, MeetsTheCountWithinFivePerCent) {
     }
 }
 
+TEST_F(SurfaceJob, FollowsTheCurvatureWithinTheError) {
+  // Flat on one side, with a ridge on the other.
+  const auto ridge = [](double x, double) { return 0.05 / (1 + 400 * (x - 0.8) * (x - 0.8)); };
+  SurfaceOptions options;
+  options.inputs = {file_of(test::terrain(120, 20, ridge))};
+  options.size = 0.06;
+  options.curvature = 5e-4;
+  const SurfaceResult result = mesh_surface(options, Progress());
+  const Mesh& mesh = result.mesh;
+  double on_ridge = 0, edges_on_ridge = 0, flat = 0, flat_edges = 0;
+  for (const FaceId f : mesh.faces())
+    for (int k = 0; k < mesh.corner_count(f); ++k) {
+      const Vec3 a = mesh.point3(mesh.origin(SideId(f, k))), b = mesh.point3(mesh.target(SideId(f, k)));
+      const double x = 0.5 * (a.x + b.x);
+      const bool at_ridge = std::abs(x - 0.8) < 0.03;
+      (at_ridge ? on_ridge : flat) += at_ridge || x < 0.4 ? length(b - a) : 0;
+      (at_ridge ? edges_on_ridge : flat_edges) += at_ridge || x < 0.4 ? 1 : 0;
+    }
+  EXPECT_GT(flat / flat_edges, 0.045);
+  EXPECT_LT(on_ridge / edges_on_ridge, 0.035);
+  EXPECT_GT(summarize_quality(mesh).quads.scaled_jacobian.min, 0.2);
+}
+
 TEST_F(SurfaceJob, KeepsLinesAsChainsWithTheirNumbers) {
   const std::string lines = folder_.file("lines.geojson");
   std::ofstream(lines)

@@ -9,6 +9,7 @@
 #include "engine/parallel/parallel.hpp"
 #include "surface/feature/bind.hpp"
 #include "surface/repair/sheets.hpp"
+#include "surface/size/curvature_size.hpp"
 #include "surface/size/detail_size.hpp"
 #include "surface/size/surface_sizes.hpp"
 #include "tests/support/surface_zoo.hpp"
@@ -75,6 +76,24 @@ TEST(DetailSize, IsTheSameOnAnyNumberOfThreads) {
   for (const int threads : {1, 2, 4, 7})
     parallel::with_threads(threads, [&] { results.push_back(details(mesh, 0.2)); });
   for (const auto& result : results) EXPECT_TRUE(result == results[0]);
+}
+
+TEST(CurvatureSize, KeepsAChordOfASphereWithinTheError) {
+  const Mesh mesh = mesh_of(test::sphere(5));
+  const std::vector<double> sizes =
+      curvature_sizes(mesh, ConstraintTags::of(mesh), {.error = 0.001, .edge = 0.5});
+  for (const VertexId v : mesh.vertices()) EXPECT_NEAR(sizes[v.value()], std::sqrt(8 * 0.001), 0.005);
+}
+
+TEST(CurvatureSize, IsUnlimitedWhereASurfaceIsFlat) {
+  const Mesh mesh = mesh_of(test::cube());
+  EXPECT_FALSE(limited(curvature_sizes(mesh, ConstraintTags::of(mesh), {.error = 1e-9, .edge = 0.5})));
+}
+
+TEST(CurvatureSize, GoesNoLowerThanTheSmallestShare) {
+  const Mesh mesh = mesh_of(test::sphere(5));
+  const CurvatureOptions options{.error = 1e-12, .edge = 0.5, .smallest = 0.25};
+  for (const double size : curvature_sizes(mesh, ConstraintTags::of(mesh), options)) EXPECT_EQ(size, 0.125);
 }
 
 TEST(SurfaceSizes, GrowAwayFromWhatLimitsThem) {

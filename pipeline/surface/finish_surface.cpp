@@ -1,0 +1,114 @@
+#include "pipeline/surface/finish_surface.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "engine/base/error.hpp"
+#include "engine/mesh/compact.hpp"
+#include "engine/mesh/constraint.hpp"
+#include "engine/mesh/pinch.hpp"
+#include "engine/parallel/parallel.hpp"
+#include "kernels/quality/face.hpp"
+#include "surface/repair/sheets.hpp"
+
+namespace quarry {
+namespace {
+
+// Upside down on the surface: its own corners do not tell.
+bool lies_upside_down(const Mesh& mesh, const SurfaceModel& model, FaceId f) {
+  const int count = mesh.corner_count(f);
+  const auto corner = [&](int k) { return mesh.point3(mesh.corner(f, k)); };
+  Vec3 middle;
+  for (int k = 0; k < count; ++k) middle = middle + (1.0 / count) * corner(k);
+  double size = 0;
+  for (int k = 0; k < count; ++k) size = std::max(size, length(corner(k) - middle));
+  const Vec3 normal = count == 4 ? cross(corner(2) - corner(0), corner(3) - corner(1))
+                                 : cross(corner(1) - corner(0), corner(2) - corner(0));
+  return !model.faces_along(middle, normal, 0.5 * size);
+}
+
+std::int32_t number_of(const CurveNetwork& network, PieceId curve, std::size_t lines) {
+  const std::int32_t line = network.curves[curve].line;
+  return line >= 0 ? line : static_cast<std::int32_t>(lines + curve.value());
+}
+
+}  // namespace
+
+void require_valid_on_surface(const Mesh& mesh, const SurfaceModel& model) {
+  const auto bad = parallel::filter_indices(mesh.face_slots(), [&](std::size_t i) {
+    const FaceId f(i);
+    return mesh.alive(f) && (!(scaled_jacobian(mesh, f) > 0) || lies_upside_down(mesh, model, f));
+  });
+  if (bad.empty()) return;
+  const Vec3 p = mesh.point3(mesh.corner(FaceId(bad.front()), 0));
+  throw Error(ErrorKind::kGeometry,
+              fmt::format("{} elements are inverted or upside down, the first at ({:.9g}, {:.9g}, {:.9g}): "
+                          "the surface has details or "
+                          "walls smaller than the elements there; take a smaller --size",
+                          bad.size(), p.x, p.y, p.z));
+}
+
+void set_surface_regions(Mesh& mesh, const std::vector<std::int32_t>& groups, const SurfaceModel& model) {
+  const ConstraintTags tags = ConstraintTags::of(mesh);
+  if (std::equal(groups.begin() + 1, groups.end(), groups.begin())) {
+    mesh.add_tag<FaceId, std::int32_t>("region", groups.front());
+    return;
+  }
+  auto region = mesh.add_tag<FaceId, std::int32_t>("region", -1);
+  std::vector<FaceId> part;
+  for (const FaceId first : mesh.faces()) {
+    if (!mesh.alive(first) || region[first] >= 0) continue;
+    part.assign(1, first);
+    region[first] = 0;
+    std::map<std::int32_t, std::size_t> votes;
+    for (std::size_t i = 0; i < part.size(); ++i) {
+      const Vec3 middle = 0.5 * (mesh.point3(mesh.corner(part[i], 0)) + mesh.point3(mesh.corner(part[i], 2)));
+      ++votes[groups[model.nearest({middle, Vec3()}).triangle.value()]];
+      for (int k = 0; k < mesh.corner_count(part[i]); ++k) {
+        const SideId s(part[i], k);
+        const SideId t = mesh.neighbour(s);
+        if (tags.constrained(s) || !t.valid() || region[t.face()] >= 0) continue;
+        region[t.face()] = 0;
+        part.push_back(t.face());
+      }
+    }
+    const auto most = std::max_element(votes.begin(), votes.end(),
+                                       [](const auto& a, const auto& b) { return a.second < b.second; });
+    for (const FaceId f : part) region[f] = most->first;
+  }
+}
+
+void finish_surface_mesh(Mesh& mesh, const CurveNetwork& network, std::size_t lines) {
+  const ConstraintTags tags = ConstraintTags::of(mesh);
+  auto constraint = mesh.add_tag<EdgeId, std::int32_t>("constraint", -1);
+  auto kind = mesh.add_tag<EdgeId, std::int32_t>("kind", kInteriorConstraint);
+  for (const FaceId f : mesh.faces()) {
+    for (int k = 0; mesh.alive(f) && k < mesh.corner_count(f); ++k) {
+      const SideId s(f, k);
+      const SideId t = mesh.neighbour(s);
+      if (!tags.constrained(s) || (t.valid() && t < s)) continue;
+      const VertexId a = mesh.origin(s);
+      const VertexId b = mesh.target(s);
+      const EdgeId e = mesh.add_edge(a, b);
+      const Vec3 middle = 0.5 * (mesh.point3(a) + mesh.point3(b));
+      const PieceId curve = network.under_edge(tags.support[a], tags.support[b], middle);
+      constraint[e] = curve.valid() ? number_of(network, curve, lines) : -1;
+      if (!t.valid()) kind[e] = kOuterBoundary;
+    }
+  }
+  auto pinch = mesh.add_tag<VertexId, std::uint8_t>(kPinchTag);
+  for (const VertexId v : mesh.vertices())
+    if (mesh.alive(v)) pinch[v] = tags.support[v].is_fixed() ? 1 : 0;
+  if (mesh.find_tag<FaceId, std::int32_t>(kSurfaceGroupTag).valid())
+    mesh.remove_tag<FaceId>(kSurfaceGroupTag);
+  if (mesh.find_tag<VertexId, std::uint32_t>(kSurfacePointTag).valid())
+    mesh.remove_tag<VertexId>(kSurfacePointTag);
+  mesh.remove_normals();
+  mesh.remove_tag<VertexId>("support");
+  mesh.remove_tag<FaceId>("constrained_sides");
+  compact(mesh, EntityOrder::kHilbert);
+}
+
+}  // namespace quarry

@@ -1,0 +1,26 @@
+// What a surface job does with a mesh before it hands it out.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "engine/mesh/mesh.hpp"
+#include "surface/feature/curve_network.hpp"
+#include "surface/model/surface_model.hpp"
+
+namespace quarry {
+
+// Throws Error(kGeometry) with the place of the first face that is inverted, or that lies upside down on the
+// surface: where a wall or a gap is thinner than the elements are long, nothing good may be left to be done.
+void require_valid_on_surface(const Mesh& mesh, const SurfaceModel& model);
+
+// Gives faces the tag "region": each part between features has the group that most of its faces lie on.
+// groups: of the triangles of the model.
+void set_surface_regions(Mesh& mesh, const std::vector<std::int32_t>& groups, const SurfaceModel& model);
+
+// Edge entities and points that sheets share, as SurfaceResult has them, in the place of what the kernels
+// work with. lines: how many there are; curves of other features are numbered from there on.
+void finish_surface_mesh(Mesh& mesh, const CurveNetwork& network, std::size_t lines);
+
+}  // namespace quarry
