@@ -16,6 +16,9 @@
 namespace quarry {
 namespace {
 
+// A face whose scaled Jacobian is no more than this has no direction that means anything.
+constexpr double kFlat = 1e-3;
+
 // Upside down on the surface: its own corners do not tell.
 bool lies_upside_down(const Mesh& mesh, const SurfaceModel& model, FaceId f) {
   const int count = mesh.corner_count(f);
@@ -39,15 +42,16 @@ std::int32_t number_of(const CurveNetwork& network, PieceId curve, std::size_t l
 void require_valid_on_surface(const Mesh& mesh, const SurfaceModel& model) {
   const auto bad = parallel::filter_indices(mesh.face_slots(), [&](std::size_t i) {
     const FaceId f(i);
-    return mesh.alive(f) && (!(scaled_jacobian(mesh, f) > 0) || lies_upside_down(mesh, model, f));
+    return mesh.alive(f) && (!(scaled_jacobian(mesh, f) > kFlat) || lies_upside_down(mesh, model, f));
   });
   if (bad.empty()) return;
   const Vec3 p = mesh.point3(mesh.corner(FaceId(bad.front()), 0));
-  throw Error(ErrorKind::kGeometry,
-              fmt::format("{} elements are inverted or upside down, the first at ({:.9g}, {:.9g}, {:.9g}): "
-                          "the surface has details or "
-                          "walls smaller than the elements there; take a smaller --size",
-                          bad.size(), p.x, p.y, p.z));
+  throw Error(
+      ErrorKind::kGeometry,
+      fmt::format("{} elements are inverted, flat or upside down, the first at ({:.9g}, {:.9g}, {:.9g}): "
+                  "the surface has details or "
+                  "walls smaller than the elements there; take a smaller --size",
+                  bad.size(), p.x, p.y, p.z));
 }
 
 void set_surface_regions(Mesh& mesh, const std::vector<std::int32_t>& groups, const SurfaceModel& model) {
