@@ -33,8 +33,6 @@ double element_area(Elements elements) { return elements == Elements::kTriangle 
 // three, as about one in eight does.
 const double kTrianglesForQuads = std::sqrt(2.12 * 4 / std::sqrt(3.0));
 
-// How far joins may come to lie from where they were, in edges of triangles.
-constexpr double kJoinDeviation = 0.02;
 // Of lines: how they are led, in edges of triangles; and by default, in sizes, what they snap to and how far
 // from the surface they may lie.
 constexpr double kImprintStep = 0.5;
@@ -57,7 +55,7 @@ class SurfaceJob {
     result_.repaired = repaired.surface;
     coarsen_joins(repaired, {.shortest = remesh.shortest * edge,
                              .longest = remesh.longest * edge,
-                             .deviation = kJoinDeviation * edge});
+                             .deviation = remesh.feature_deviation * edge});
     const std::vector<LineEdge> lines = imprint(repaired, edge);
     split_joins(repaired, remesh.longest * edge);
     clock_.start("finding features");
