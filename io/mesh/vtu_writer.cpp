@@ -12,7 +12,7 @@
 #include "engine/parallel/parallel.hpp"
 #include "io/atomic_file.hpp"
 #include "io/mesh/vtu_array.hpp"
-#include "io/mesh/xml_text.hpp"
+#include "io/xml_text.hpp"
 
 namespace quarry {
 namespace {

@@ -15,26 +15,12 @@
 #include "io/page/base64.hpp"
 #include "io/page/resources.hpp"
 #include "io/picture/colour.hpp"
+#include "io/xml_text.hpp"
 
 namespace quarry {
 namespace {
 
 constexpr std::uint32_t kNoCorner = std::numeric_limits<std::uint32_t>::max();
-
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '<')
-      out += "&lt;";
-    else if (c == '&')
-      out += "&amp;";
-    else if (c == '"')
-      out += "&quot;";
-    else
-      out += c;
-  }
-  return out;
-}
 
 template <class Value>
 std::string packed(const std::vector<Value>& values) {
@@ -98,7 +84,8 @@ std::string mesh_json(const Mesh& mesh, const PageOptions& options) {
 std::string figure_rows(const PageOptions& options) {
   std::string rows;
   for (const PageFigure& figure : options.figures)
-    rows += fmt::format("<tr><td>{}</td><td>{}</td></tr>\n", escaped(figure.name), escaped(figure.value));
+    rows +=
+        fmt::format("<tr><td>{}</td><td>{}</td></tr>\n", escape_xml(figure.name), escape_xml(figure.value));
   return rows;
 }
 
@@ -109,8 +96,8 @@ std::string histogram_drawing(const PageHistogram& histogram) {
   const double bar = kWidth / static_cast<double>(bins);
   const std::size_t largest =
       histogram.counts.empty() ? 0 : *std::max_element(histogram.counts.begin(), histogram.counts.end());
-  std::string svg = fmt::format("<h2>{}</h2>\n<svg viewBox=\"0 0 {} {}\">", escaped(histogram.name), kWidth,
-                                kHeight + kFoot);
+  std::string svg = fmt::format("<h2>{}</h2>\n<svg viewBox=\"0 0 {} {}\">", escape_xml(histogram.name),
+                                kWidth, kHeight + kFoot);
   for (std::size_t i = 0; i < histogram.counts.size(); ++i) {
     const std::size_t count = histogram.counts[i];
     if (count == 0) continue;
@@ -163,7 +150,7 @@ void write_page(const std::string& path, const Mesh& mesh, const PageOptions& op
                 fmt::format("{} quality values for {} faces", options.quality.size(), mesh.face_slots()));
   std::string histograms;
   for (const PageHistogram& histogram : options.histograms) histograms += histogram_drawing(histogram);
-  write_file(path, filled(kPageTemplate, {{"title", escaped(options.title)},
+  write_file(path, filled(kPageTemplate, {{"title", escape_xml(options.title)},
                                           {"figures", figure_rows(options)},
                                           {"histograms", std::move(histograms)},
                                           {"mesh", mesh_json(mesh, options)},

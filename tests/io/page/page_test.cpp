@@ -58,7 +58,7 @@ TEST_F(Page, ShowsFiguresAndHistograms) {
 
 TEST_F(Page, EscapesWhatItIsGiven) {
   const std::string text = page("a<b>&\"c\"");
-  EXPECT_NE(text.find("<h1>a&lt;b>&amp;&quot;c&quot;</h1>"), std::string::npos);
+  EXPECT_NE(text.find("<h1>a&lt;b&gt;&amp;&quot;c&quot;</h1>"), std::string::npos);
 }
 
 TEST_F(Page, HasTheSameBytesEachTime) { EXPECT_TRUE(page("x") == page("x")); }

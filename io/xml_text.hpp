@@ -1,4 +1,4 @@
-// Text as it stands in XML.
+// Text as it stands in XML, and in HTML.
 #pragma once
 
 #include <string>
