@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "engine/parallel/parallel.hpp"
-#include "kernels/quality/space_face.hpp"
 #include "kernels/smooth/local_smoother.hpp"
+#include "surface/quads/face_verdict.hpp"
 
 namespace quarry {
 namespace {
@@ -33,15 +32,7 @@ class FaceMender {
   }
 
  private:
-  [[nodiscard]] bool is_bad(FaceId f) const {
-    std::array<SpacePoint, 4> corners;
-    const auto count = static_cast<std::size_t>(mesh_.corner_count(f));
-    for (std::size_t k = 0; k < count; ++k) {
-      const VertexId v = mesh_.corner(f, static_cast<int>(k));
-      corners[k] = {mesh_.point3(v), normals_[v]};
-    }
-    return !(scaled_jacobian_in_space(std::span(corners).first(count)) > 0);
-  }
+  [[nodiscard]] bool is_bad(FaceId f) const { return !(face_verdict(mesh_, normals_, f) > 0); }
 
   [[nodiscard]] std::size_t count_bad() const {
     return static_cast<std::size_t>(

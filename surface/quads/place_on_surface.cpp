@@ -1,13 +1,12 @@
 #include "surface/quads/place_on_surface.hpp"
 
 #include <algorithm>
-#include <array>
 #include <span>
 #include <vector>
 
 #include "engine/parallel/parallel.hpp"
-#include "kernels/quality/space_face.hpp"
 #include "kernels/smooth/sweep.hpp"
+#include "surface/quads/face_verdict.hpp"
 
 namespace quarry {
 namespace {
@@ -58,33 +57,18 @@ class PlacingMover {
     const Vec3 place = mesh.point3(v);
     const Vec3 step = targets_[v.value()] - place;
     if (step == Vec3()) return false;
-    const double content = std::min(kContent, worst_at(mesh, v, place));
+    const double content = std::min(kContent, worst_around(mesh, normals_, v));
     for (const double share : {1.0, 0.5, 0.25}) {
-      const Vec3 target = share == 1 ? targets_[v.value()] : place + share * step;
-      if (worst_at(mesh, v, target) < content) continue;
-      mesh.set_point3(v, target);
-      return true;
+      mesh.set_point3(v, share == 1 ? targets_[v.value()] : place + share * step);
+      if (worst_around(mesh, normals_, v) >= content) return true;
     }
+    mesh.set_point3(v, place);
     return false;
   }
 
  private:
   // No face may become worse that is worse than this.
   static constexpr double kContent = 0.3;
-
-  [[nodiscard]] double worst_at(const Mesh& mesh, VertexId v, Vec3 place) const {
-    double worst = 1;
-    for_each_side_around(mesh, v, [&](SideId s) {
-      std::array<SpacePoint, 4> corners;
-      const auto count = static_cast<std::size_t>(mesh.corner_count(s.face()));
-      for (std::size_t k = 0; k < count; ++k) {
-        const VertexId w = mesh.corner(s.face(), static_cast<int>(k));
-        corners[k] = {w == v ? place : mesh.point3(w), normals_[w]};
-      }
-      worst = std::min(worst, scaled_jacobian_in_space(std::span(corners).first(count)));
-    });
-    return worst;
-  }
 
   Tag<VertexId, Vec3> normals_;
   std::span<const Vec3> targets_;

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "engine/parallel/parallel.hpp"
-#include "kernels/quality/space_face.hpp"
 #include "kernels/smooth/local_smoother.hpp"
 #include "surface/project/triangle_tree.hpp"
+#include "surface/quads/face_verdict.hpp"
 
 namespace quarry {
 namespace {
@@ -110,27 +110,13 @@ class FarPoints {
     return best;
   }
 
-  [[nodiscard]] double worst_at(VertexId v) const {
-    double worst = 1;
-    for_each_side_around(mesh_, v, [&](SideId s) {
-      std::array<SpacePoint, 4> corners;
-      const auto count = static_cast<std::size_t>(mesh_.corner_count(s.face()));
-      for (std::size_t k = 0; k < count; ++k) {
-        const VertexId w = mesh_.corner(s.face(), static_cast<int>(k));
-        corners[k] = {mesh_.point3(w), normals_[w]};
-      }
-      worst = std::min(worst, scaled_jacobian_in_space(std::span(corners).first(count)));
-    });
-    return worst;
-  }
-
   bool reach(VertexId v, const Far& far) {
     const SpacePoint before{mesh_.point3(v), normals_[v]};
-    const double content = std::min(options_.least_jacobian, worst_at(v));
+    const double content = std::min(options_.least_jacobian, worst_around(mesh_, normals_, v));
     const SpacePoint& aim = model_.free_points()[far.point];
     mesh_.set_point3(v, aim.place);
     normals_[v] = aim.up;
-    if (worst_at(v) >= content) return true;
+    if (worst_around(mesh_, normals_, v) >= content) return true;
     mesh_.set_point3(v, before.place);
     normals_[v] = before.up;
     return false;
@@ -144,9 +130,11 @@ class FarPoints {
     for (const VertexId v : ring) for_each_face_mate(v, [&](VertexId w) { around.push_back(w); });
     std::sort(around.begin(), around.end());
     around.erase(std::unique(around.begin(), around.end()), around.end());
+    std::vector<VertexId> stay = moved;
+    std::sort(stay.begin(), stay.end());
     std::erase_if(around, [&](VertexId v) {
       return !tags_.support[v].is_free() || mesh_.on_boundary(v) ||
-             std::find(moved.begin(), moved.end(), v) != moved.end();
+             std::binary_search(stay.begin(), stay.end(), v);
     });
     if (around.empty()) return;
     MeshEditor editor(mesh_);
