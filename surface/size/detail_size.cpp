@@ -20,7 +20,7 @@ class BallSearch {
   BallSearch(const Mesh& mesh, const ConstraintTags& tags) : mesh_(&mesh), tags_(&tags) {}
 
   // The length of the sum of the doubled areas by the sum of the lengths, over the triangles that hang
-  // together and lie about within the radius; 1 if only triangles at the vertex do.
+  // together and lie about within the radius, those at the vertex in any case; 1 if they have no area.
   double sum_share(VertexId center, double radius) {
     if (seen_.size() != mesh_->face_slots()) seen_.assign(mesh_->face_slots(), 0);
     ++stamp_;
@@ -48,7 +48,7 @@ class BallSearch {
         if (t.valid() && !tags_->constrained(s)) add(t.face());
       }
     }
-    return list_.size() > around && size > 0 ? length(sum) / size : 1;
+    return size > 0 ? length(sum) / size : 1;
   }
 
  private:

@@ -21,7 +21,8 @@ struct DetailOptions {
 };
 
 // One a vertex, in input units: the longest of edge, edge / sqrt(2), edge / 2 ... at which the place has no
-// details, or those of the input's own triangles only; infinite where the edge itself will do.
+// details; the smallest share where it always has, as at the tip of a cone; infinite where the edge itself
+// will do.
 [[nodiscard]] std::vector<double> detail_sizes(const Mesh& triangles, const ConstraintTags& tags,
                                                const DetailOptions& options);
 
