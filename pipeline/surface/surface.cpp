@@ -70,7 +70,7 @@ class SurfaceJob {
     const SurfaceModel model(mesh, tags);
     clock_.start("finding sizes");
     const SurfaceSizes sizes = find_surface_sizes(mesh, options_, edge, result_.size, area_);
-    if (options_.count) remesh.wanted_faces = area_ / (0.25 * std::sqrt(3.0) * edge * edge);
+    if (options_.count) remesh.wanted_faces = area_ / (element_area(Elements::kTriangle) * edge * edge);
     clock_.start("remeshing");
     result_.remesh = remesh_surface(mesh, model, network, sizes, remesh, progress_);
     if (makes_quads()) {
