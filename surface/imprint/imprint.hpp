@@ -18,6 +18,7 @@ struct SurfaceLine {
   bool has_heights = true;
 };
 
+// Lengths are in input units.
 struct ImprintOptions {
   // Between its points a line is led across the surface in steps of at most this length; it should be half a
   // wanted edge or less.

@@ -23,7 +23,7 @@ class SurfaceModel : public SpaceModel {
   [[nodiscard]] SurfacePoint nearest(const SpacePoint& p) const;
   [[nodiscard]] SpacePoint with_normal(const SurfacePoint& p) const;
   // False if all of the surface that lies about as near to a place as its nearest point, by no more than the
-  // slack, faces away from the direction: what faces so there lies upside down.
+  // slack (input units), faces away from the direction: what faces so there lies upside down.
   [[nodiscard]] bool faces_along(Vec3 place, Vec3 direction, double slack) const;
 
   // Its own points that are on no feature, with the normals there.

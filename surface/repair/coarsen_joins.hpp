@@ -7,6 +7,7 @@
 
 namespace quarry {
 
+// Lengths are in input units.
 struct CoarsenJoinsOptions {
   // Joins shorter than the first are collapsed along their curve, if no edge longer than the second comes of
   // it.

@@ -1,4 +1,4 @@
-// The wanted edge of elements at each place of a surface.
+// The wanted edge of elements at each place of a surface, in input units.
 #pragma once
 
 #include <array>
