@@ -33,7 +33,9 @@ class CleanUp {
     if (options_.level != CleanUpLevel::kLocal) remesh();
     add_time(report_.smoothing_seconds, [&] {
       report_.shape = sweep(options_.shape);
-      report_.square_corners = square_corners(mesh_, lines_, options_.square_corners, progress_);
+      SquareCornersOptions squaring = options_.square_corners;
+      squaring.size = options_.size;
+      report_.square_corners = square_corners(mesh_, lines_, squaring, progress_);
       report_.optimise = optimise_corners(mesh_, lines_, options_.optimise, progress_);
     });
   }

@@ -8,6 +8,7 @@
 #include "kernels/quality/element.hpp"
 #include "kernels/quality/face.hpp"
 #include "kernels/smooth/slide.hpp"
+#include "kernels/smooth/wanted_areas.hpp"
 
 namespace quarry {
 namespace {
@@ -17,68 +18,6 @@ constexpr double kFlat = 0.1;
 // The reach of one step, as a share of the edges at the vertex.
 constexpr double kReach = 0.4;
 constexpr int kAttempts = 3;
-
-// The area of a quad, twice that of a triangle: what corners of both have in common.
-double corner_area(const Mesh& mesh, FaceId f) {
-  const double area = measure_face(mesh, f, [](auto... corners) { return signed_area(corners...); });
-  return mesh.corner_count(f) == 4 ? area : 2 * area;
-}
-
-// The mean of a face and its neighbours, over and over: what is large among small ones stands back.
-IdVector<FaceId, double> mean_areas(const Mesh& mesh) {
-  constexpr int kRounds = 3;
-  IdVector<FaceId, double> areas(mesh.face_slots(), 0.0);
-  parallel::for_each(mesh.face_slots(), [&](std::size_t i) {
-    if (mesh.alive(FaceId(i))) areas[FaceId(i)] = std::abs(corner_area(mesh, FaceId(i)));
-  });
-  for (int round = 0; round < kRounds; ++round) {
-    const IdVector<FaceId, double> before = areas;
-    parallel::for_each(mesh.face_slots(), [&](std::size_t i) {
-      const FaceId f(i);
-      if (!mesh.alive(f)) return;
-      double sum = before[f];
-      double count = 1;
-      for (int k = 0; k < mesh.corner_count(f); ++k) {
-        const SideId across = mesh.neighbour(SideId(f, k));
-        if (!across.valid()) continue;
-        sum += before[across.face()];
-        count += 1;
-      }
-      areas[f] = sum / count;
-    });
-  }
-  return areas;
-}
-
-struct Areas {
-  double present = 0, wanted = 0;
-};
-
-// The squares of the wanted edges at the middles of the faces, scaled so that their sum is the present area.
-IdVector<FaceId, double> areas_by_size(const Mesh& mesh, const SizeField& size) {
-  IdVector<FaceId, double> areas(mesh.face_slots(), 0.0);
-  const Areas sums = parallel::reduce_ordered(
-      mesh.face_slots(), Areas(),
-      [&](std::size_t begin, std::size_t end) {
-        Areas part;
-        for (std::size_t i = begin; i < end; ++i) {
-          const FaceId f(i);
-          if (!mesh.alive(f)) continue;
-          const Vec2 middle = midpoint(mesh.point(mesh.corner(f, 0)), mesh.point(mesh.corner(f, 2)));
-          const double edge = size.at(middle);
-          areas[f] = edge * edge;
-          part.present += corner_area(mesh, f);
-          part.wanted += areas[f];
-        }
-        return part;
-      },
-      [](Areas a, Areas b) {
-        return Areas{a.present + b.present, a.wanted + b.wanted};
-      });
-  const double factor = sums.present / sums.wanted;
-  parallel::for_each(areas.size(), [&](std::size_t i) { areas[FaceId(i)] *= factor; });
-  return areas;
-}
 
 class ShapeMover {
  public:
@@ -166,8 +105,7 @@ class ShapeMover {
 
 SweepReport optimise_shape(Mesh& mesh, const NodedLines& lines, const ShapeOptions& options,
                            const Progress& progress) {
-  const IdVector<FaceId, double> areas =
-      options.size != nullptr ? areas_by_size(mesh, *options.size) : mean_areas(mesh);
+  const IdVector<FaceId, double> areas = wanted_areas(mesh, options.size);
   VertexColouring colouring(mesh);
   const ShapeMover mover(Slide(mesh, ConstraintTags::of(mesh), lines), options, areas);
   return run_sweeps(mesh, colouring, mover, options.sweeps, progress);

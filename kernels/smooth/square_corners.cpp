@@ -5,14 +5,16 @@
 
 #include "kernels/smooth/slide.hpp"
 #include "kernels/smooth/star.hpp"
+#include "kernels/smooth/wanted_areas.hpp"
 
 namespace quarry {
 namespace {
 
 Vec2 turned_left(Vec2 a) { return {-a.y, a.x}; }
 
-// tan((wanted - angle) / 2) of a corner, and its derivative by the angle.
-struct CornerResidual {
+// What is squared and summed up, and its derivative: by the angle of a corner (of tan((wanted - angle) / 2))
+// or by the area of a face.
+struct Residual {
   double value;
   double slope;
 };
@@ -25,7 +27,7 @@ constexpr WantedAngle kRight{0, 1};
 constexpr WantedAngle kSixty{0.5, 0.86602540378443865};
 
 // lengths: the product of the lengths of the two edges.
-CornerResidual residual(Vec2 out, Vec2 back, double lengths, WantedAngle wanted) {
+Residual residual(Vec2 out, Vec2 back, double lengths, WantedAngle wanted) {
   const double cosine = dot(out, back);
   const double sine = cross(out, back);
   const double below = 1.0 / (lengths + wanted.cosine * cosine + wanted.sine * sine);
@@ -34,7 +36,7 @@ CornerResidual residual(Vec2 out, Vec2 back, double lengths, WantedAngle wanted)
 
 // The residuals of the three corners of a face that a move of the vertex changes.
 struct FaceResiduals {
-  CornerResidual here, next, previous;
+  Residual here, next, previous;
 
   FaceResiduals(const StarFace& face, Vec2 out, Vec2 back) {
     const WantedAngle wanted = face.quad ? kRight : kSixty;
@@ -56,8 +58,9 @@ struct Quadratic {
   Vec2 gradient;
   double xx = 0, xy = 0, yy = 0;
 
-  void add(CornerResidual r, Vec2 angle_gradient) {
-    const Vec2 g = r.slope * angle_gradient;
+  // The gradient of the angle or the area by the place of the vertex.
+  void add(Residual r, Vec2 gradient_of_argument) {
+    const Vec2 g = r.slope * gradient_of_argument;
     value += r.value * r.value;
     gradient = gradient + r.value * g;
     xx += g.x * g.x;
@@ -68,9 +71,11 @@ struct Quadratic {
 
 class SquaringMover {
  public:
-  SquaringMover(const Slide& slide, const SquareCornersOptions& options)
+  SquaringMover(const Slide& slide, const SquareCornersOptions& options,
+                const IdVector<FaceId, double>& areas)
       : slide_(slide),
         options_(options),
+        areas_(&areas),
         content_(options.content * options.content),
         floor_(options.floor * options.floor) {}
 
@@ -118,6 +123,10 @@ class SquaringMover {
       sum.add(residuals.here, out_turn - back_turn);
       sum.add(residuals.next, -1.0 * out_turn);
       sum.add(residuals.previous, back_turn);
+      if (options_.evenness > 0) {
+        const Residual area = area_residual(face, offset);
+        sum.add(area, area_gradient(face));
+      }
     }
     const double w = spring_weight();
     const Vec2 stretch = offset - star_.umbrella();
@@ -130,9 +139,28 @@ class SquaringMover {
 
   [[nodiscard]] double value_at(Vec2 offset) const {
     double sum = spring_weight() * squared_length(offset - star_.umbrella());
-    for (const StarFace& face : star_.faces())
+    for (const StarFace& face : star_.faces()) {
       sum += FaceResiduals(face, face.next - offset, face.previous - offset).sum_of_squares();
+      if (options_.evenness > 0) {
+        const double r = area_residual(face, offset).value;
+        sum += r * r;
+      }
+    }
     return sum;
+  }
+
+  // evenness * (a / w - w / a) / 2 of a face of area a where w is wanted, and its derivative by a: the
+  // logarithm of a / w where that is small, and steeper beyond.
+  [[nodiscard]] Residual area_residual(const StarFace& face, Vec2 offset) const {
+    const double area = face.quad ? 0.5 * cross(face.next + face.far_next - offset, face.previous - face.next)
+                                  : cross(face.next - offset, face.previous - offset);
+    const double wanted = (*areas_)[face.id];
+    const double weight = 0.5 * options_.evenness / (area * wanted);
+    return {weight * (area * area - wanted * wanted), weight * (area + wanted * wanted / area)};
+  }
+  // By the place of the vertex.
+  [[nodiscard]] static Vec2 area_gradient(const StarFace& face) {
+    return (face.quad ? 0.5 : 1.0) * turned_left(face.previous - face.next);
   }
 
   // Along a direction (of length 1), or anywhere if it is zero.
@@ -149,6 +177,7 @@ class SquaringMover {
 
   Slide slide_;
   SquareCornersOptions options_;
+  const IdVector<FaceId, double>* areas_;
   double content_;
   double floor_;
   Star star_;
@@ -158,8 +187,10 @@ class SquaringMover {
 
 SweepReport square_corners(Mesh& mesh, const NodedLines& lines, const SquareCornersOptions& options,
                            const Progress& progress) {
+  const IdVector<FaceId, double> areas =
+      options.evenness > 0 ? wanted_areas(mesh, options.size) : IdVector<FaceId, double>();
   VertexColouring colouring(mesh);
-  const SquaringMover mover(Slide(mesh, ConstraintTags::of(mesh), lines), options);
+  const SquaringMover mover(Slide(mesh, ConstraintTags::of(mesh), lines), options, areas);
   return run_sweeps(mesh, colouring, mover, options.sweeps, progress);
 }
 

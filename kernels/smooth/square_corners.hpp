@@ -3,6 +3,7 @@
 #pragma once
 
 #include "engine/mesh/constraint.hpp"
+#include "kernels/field/size_field.hpp"
 #include "kernels/smooth/sweep.hpp"
 
 namespace quarry {
@@ -16,6 +17,12 @@ struct SquareCornersOptions {
   double floor = 0.6;
   // The pull towards the mean of the neighbours, which keeps sizes even, against that of the corners.
   double spring = 0.2;
+  // The pull of each face's area towards the wanted one, which keeps sizes even where counts are not, against
+  // that of the corners. 0: none.
+  double evenness = 0;
+  // The wanted edge by place, up to a factor, for evenness; see kernels/smooth/wanted_areas.hpp. None: each
+  // face is to be as large as those around it are at the start.
+  const SizeField* size = nullptr;
   // How far to go along each step: beyond 1, as in successive over-relaxation, long waves of error die
   // sooner.
   double relaxation = 1.5;

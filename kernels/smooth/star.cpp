@@ -87,7 +87,8 @@ namespace {
 // Fills in what a face looks like from a corner; s starts there.
 void look(const Mesh& mesh, SideId s, Vec2 place, StarFace& face) {
   const SideId forward = mesh.next(s);
-  face.quad = mesh.corner_count(s.face()) == 4;
+  face.id = s.face();
+  face.quad = mesh.corner_count(face.id) == 4;
   face.at_next = mesh.point(mesh.origin(forward));
   face.at_previous = mesh.point(mesh.origin(mesh.previous(s)));
   face.at_opposite = face.quad ? mesh.point(mesh.target(forward)) : face.at_previous;

@@ -12,6 +12,7 @@ namespace quarry {
 // A face of a star. Places are relative to where the vertex stood when the star was gathered. What no move of
 // the vertex changes is kept: the far edges and the corner between them.
 struct StarFace {
+  FaceId id;
   Vec2 next, previous;  // the corners joined to the vertex
   Vec2 far_next,
       far_previous;  // of a quad: the edges from `next` to the opposite corner and from there to `previous`
