@@ -49,7 +49,7 @@ struct CleanUpOptions {
   // Sweeps at the end: first the sizes become even, then the corners square, which makes sizes less even
   // again.
   ShapeOptions shape{.sweeps = 6};
-  SquareCornersOptions square_corners{.sweeps = 30, .evenness = 0.24, .relaxation = 1.8};
+  SquareCornersOptions square_corners{.sweeps = 30, .evenness = 0.26, .relaxation = 1.8};
   // In short steps: slender faces in wedges have little room.
   OptimiseOptions optimise{.smallest_step = 0.003};
 };

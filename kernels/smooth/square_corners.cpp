@@ -69,10 +69,34 @@ struct Quadratic {
   }
 };
 
+// What is asked of the area of a face, see corner_area.
+struct AreaDemand {
+  double wanted, weight;
+};
+
+// Where the faces around are by more than this factor smaller or larger than wanted, as between lines that
+// come close, there is no room for the wanted area: the demand fades with the square of what is beyond.
+constexpr double kWithinReach = 2;
+
+IdVector<FaceId, AreaDemand> area_demands(const Mesh& mesh, const SquareCornersOptions& options) {
+  IdVector<FaceId, AreaDemand> demands;
+  if (!(options.evenness > 0)) return demands;
+  const IdVector<FaceId, double> around = wanted_areas(mesh, nullptr);
+  const IdVector<FaceId, double> wanted = options.size != nullptr ? wanted_areas(mesh, options.size) : around;
+  demands.resize(mesh.face_slots());
+  parallel::for_each(mesh.face_slots(), [&](std::size_t i) {
+    const FaceId f(i);
+    if (!mesh.alive(f)) return;
+    const double reach = kWithinReach * std::min(around[f], wanted[f]) / std::max(around[f], wanted[f]);
+    demands[f] = {wanted[f], options.evenness * std::min(1.0, reach * reach)};
+  });
+  return demands;
+}
+
 class SquaringMover {
  public:
   SquaringMover(const Slide& slide, const SquareCornersOptions& options,
-                const IdVector<FaceId, double>& areas)
+                const IdVector<FaceId, AreaDemand>& areas)
       : slide_(slide),
         options_(options),
         areas_(&areas),
@@ -149,14 +173,15 @@ class SquaringMover {
     return sum;
   }
 
-  // evenness * (a / w - w / a) / 2 of a face of area a where w is wanted, and its derivative by a: the
+  // weight * (a / w - w / a) / 2 of a face of area a where w is wanted, and its derivative by a: the
   // logarithm of a / w where that is small, and steeper beyond.
   [[nodiscard]] Residual area_residual(const StarFace& face, Vec2 offset) const {
     const double area = face.quad ? 0.5 * cross(face.next + face.far_next - offset, face.previous - face.next)
                                   : cross(face.next - offset, face.previous - offset);
-    const double wanted = (*areas_)[face.id];
-    const double weight = 0.5 * options_.evenness / (area * wanted);
-    return {weight * (area * area - wanted * wanted), weight * (area + wanted * wanted / area)};
+    const AreaDemand demand = (*areas_)[face.id];
+    const double squared = demand.wanted * demand.wanted;
+    const double scale = 0.5 * demand.weight / (area * demand.wanted);
+    return {scale * (area * area - squared), scale * (area + squared / area)};
   }
   // By the place of the vertex.
   [[nodiscard]] static Vec2 area_gradient(const StarFace& face) {
@@ -177,7 +202,7 @@ class SquaringMover {
 
   Slide slide_;
   SquareCornersOptions options_;
-  const IdVector<FaceId, double>* areas_;
+  const IdVector<FaceId, AreaDemand>* areas_;
   double content_;
   double floor_;
   Star star_;
@@ -187,8 +212,7 @@ class SquaringMover {
 
 SweepReport square_corners(Mesh& mesh, const NodedLines& lines, const SquareCornersOptions& options,
                            const Progress& progress) {
-  const IdVector<FaceId, double> areas =
-      options.evenness > 0 ? wanted_areas(mesh, options.size) : IdVector<FaceId, double>();
+  const IdVector<FaceId, AreaDemand> areas = area_demands(mesh, options);
   VertexColouring colouring(mesh);
   const SquaringMover mover(Slide(mesh, ConstraintTags::of(mesh), lines), options, areas);
   return run_sweeps(mesh, colouring, mover, options.sweeps, progress);
