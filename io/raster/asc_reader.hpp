@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "io/raster/raster.hpp"
+#include "engine/geometry/raster.hpp"
 
 namespace quarry {
 

@@ -58,11 +58,13 @@ class CleanUp {
     const std::vector<std::size_t> classes =
         patch_classes(options_.patches.largest, fewest, mesh_.count_alive_faces());
     PatchOptions patches = options_.patches;
-    patches.wanted_faces = mesh_.count_alive_faces();
+    if (patches.wanted_faces == 0) patches.wanted_faces = mesh_.count_alive_faces();
     if (fewest) {
       // The last pairs go only where counts may change by more.
-      patches.most_growth = 0.3;
-      patches.most_shrinkage = 0.5;
+      if (options_.patches.wanted_faces == 0) {
+        patches.most_growth = 0.3;
+        patches.most_shrinkage = 0.5;
+      }
       patches.fewest_faces_of_large = patches.fewest_faces;
       patches.most_faces_of_large = patches.most_faces;
     }

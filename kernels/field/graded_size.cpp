@@ -23,9 +23,18 @@ double smallest_of(const std::vector<SizeSource>& sources, const GradedSizeOptio
   double smallest = options.largest;
   for (const SizeSource& source : sources) {
     require_positive(source.size, "the size at a source");
+    if (!(source.reach >= 0) || !std::isfinite(source.reach))
+      throw Error(ErrorKind::kUsage,
+                  fmt::format("the reach of a size is {}: it must be 0 or more", source.reach));
     smallest = std::min(smallest, source.size);
   }
   return smallest;
+}
+
+double longest_reach(const std::vector<SizeSource>& sources) {
+  double longest = 0;
+  for (const SizeSource& source : sources) longest = std::max(longest, source.reach);
+  return longest;
 }
 
 std::vector<Segment> segments_of(const std::vector<SizeSource>& sources) {
@@ -42,6 +51,7 @@ GradedSize::GradedSize(std::vector<SizeSource> sources, const GradedSizeOptions&
       segments_(segments_of(sources_)),
       options_(options),
       smallest_(smallest_of(sources_, options)),
+      reach_(longest_reach(sources_)),
       grid_(segments_, options.largest) {}
 
 double GradedSize::at(Vec2 p) const {
@@ -51,11 +61,11 @@ double GradedSize::at(Vec2 p) const {
   // could ask for.
   std::vector<std::uint32_t> ids;
   for (double radius = smallest_;; radius *= 2) {
-    grid_.find(Box2{p, p}.grown(radius), ids);
+    grid_.find(Box2{p, p}.grown(reach_ + radius), ids);
     for (const std::uint32_t id : ids) {
-      const auto& [segment, wanted] = sources_[id];
+      const auto& [segment, wanted, reach] = sources_[id];
       const double away = std::sqrt(squared_distance(p, segment.from, segment.to));
-      size = std::min(size, wanted + options_.gradation * away);
+      size = std::min(size, wanted + options_.gradation * std::max(0.0, away - reach));
     }
     if (size <= smallest_ + options_.gradation * radius) return size;
   }

@@ -14,6 +14,7 @@ namespace quarry {
 struct SizeSource {
   Segment segment;
   double size = 1;
+  double reach = 0;  // the size holds up to this distance, and grows from there
 };
 
 struct GradedSizeOptions {
@@ -21,11 +22,12 @@ struct GradedSizeOptions {
   double gradation = 0.3;  // growth of the size for each unit of distance; > 0
 };
 
-// at(p) is the smallest of `largest` and, over the sources, size + gradation * distance: the largest field
-// that is at most the wanted size at each source and whose slope nowhere exceeds the gradation.
+// at(p) is the smallest of `largest` and, over the sources, size + gradation * (distance -
+// reach), or the size within its reach: the largest field that is at most the wanted size there and whose
+// slope nowhere exceeds the gradation.
 class GradedSize final : public SizeField {
  public:
-  // Throws Error(kUsage) if a size or the gradation is not positive and finite.
+  // Throws Error(kUsage) if a size or the gradation is not positive and finite, or a reach is negative.
   GradedSize(std::vector<SizeSource> sources, const GradedSizeOptions& options);
   GradedSize(const GradedSize&) = delete;
   GradedSize& operator=(const GradedSize&) = delete;
@@ -37,6 +39,7 @@ class GradedSize final : public SizeField {
   std::vector<Segment> segments_;
   GradedSizeOptions options_;
   double smallest_;
+  double reach_;  // the longest
   SegmentGrid grid_;
 };
 

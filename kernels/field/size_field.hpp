@@ -2,6 +2,11 @@
 // always gets the same answer.
 #pragma once
 
+#include <algorithm>
+#include <memory>
+#include <utility>
+#include <vector>
+
 #include "engine/geometry/vec.hpp"
 
 namespace quarry {
@@ -21,6 +26,33 @@ class UniformSize final : public SizeField {
 
  private:
   double size_;
+};
+
+// The smallest of several fields, of which there is at least one.
+class SmallestSize final : public SizeField {
+ public:
+  explicit SmallestSize(std::vector<std::shared_ptr<const SizeField>> fields) : fields_(std::move(fields)) {}
+  [[nodiscard]] double at(Vec2 p) const override {
+    double size = fields_.front()->at(p);
+    for (const auto& field : fields_) size = std::min(size, field->at(p));
+    return size;
+  }
+
+ private:
+  std::vector<std::shared_ptr<const SizeField>> fields_;
+};
+
+// Another field times a factor, and never below a floor (in input units, not multiplied). The field must
+// outlive it.
+class ScaledSize final : public SizeField {
+ public:
+  explicit ScaledSize(const SizeField& field, double factor, double floor = 0)
+      : field_(&field), factor_(factor), floor_(floor) {}
+  [[nodiscard]] double at(Vec2 p) const override { return std::max(floor_, factor_ * field_->at(p)); }
+
+ private:
+  const SizeField* field_;
+  double factor_, floor_;
 };
 
 }  // namespace quarry

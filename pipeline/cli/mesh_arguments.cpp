@@ -85,6 +85,26 @@ void add_shape_options(CLI::App& command, MeshArguments& arguments) {
       ->group("Elements");
 }
 
+void add_size_options(CLI::App& command, SizeOptions& sizes) {
+  const auto option = [&](const char* name, auto& value, const char* type, const char* help) {
+    return command.add_option(name, value, help)->type_name(type)->group("Sizes by place");
+  };
+  option("--size-field", sizes.file, "FILE",
+         "wanted sizes: an ESRI ASCII raster (.asc), or text with x, y and a size a line; elsewhere --size, "
+         "which "
+         "is also the largest");
+  option("--refine-near", sizes.near, "GROUP:H:DISTANCE",
+         "elements of size H up to a distance from the lines of a group, growing from there; the groups are "
+         "\"lines\" "
+         "(all), and each input file by its name without ending; may be given several times")
+      ->allow_extra_args(false);
+  option("--between-lines", sizes.between, "N",
+         "where lines run close to each other, elements so small that about N fit between them");
+  option("--gradation", sizes.gradation, "G", "growth of the size for each unit of distance; default 0.3");
+  option("--smallest", sizes.smallest, "H",
+         "no size below this is wanted anywhere; default a tenth of --size");
+}
+
 void add_output_options(CLI::App& command, MeshArguments& arguments) {
   const char* group = "Output";
   command.add_option("-o,--output", arguments.output, "the mesh to write: " + writable_mesh_formats())
@@ -164,7 +184,9 @@ double parse_degrees(const std::string& text) {
 
 void refuse_what_is_not_built(const MeshArguments& arguments) {
   if (arguments.method != "deferred") fail_not_built("--method " + arguments.method, "use deferred");
-  if (!arguments.size_field.empty()) fail_not_built("--size-field", "use --size or --count");
+  const SectionOptions& section = arguments.section;
+  if (!section.sizes.uniform() && section.start != StartMesh::kCrisscross)
+    fail_not_built("sizes that differ by place, with this start mesh,", "use --start 4-8");
 }
 
 void fill_start(MeshArguments& arguments) {
@@ -207,10 +229,7 @@ void add_mesh_options(CLI::App& command, MeshArguments& arguments) {
   command.add_option("--count", arguments.section.count, "about how many elements, in place of --size")
       ->type_name("N")
       ->group("Lengths, in input units");
-  command
-      .add_option("--size-field", arguments.size_field, "raster or points with a wanted size; not built yet")
-      ->type_name("FILE")
-      ->group("Lengths, in input units");
+  add_size_options(command, arguments.section.sizes);
   add_shape_options(command, arguments);
   add_surface_options(command, arguments);
   add_output_options(command, arguments);
@@ -243,7 +262,6 @@ void fill_section(MeshArguments& arguments) {
   if (!(section.max_elements >= 1 && section.max_elements <= kMostElements))
     throw Error(ErrorKind::kUsage, fmt::format("--max-elements is {}: it must be from 1 to {:g}",
                                                section.max_elements, kMostElements));
-  refuse_what_is_not_built(arguments);
   section.elements = arguments.elements == "tri"     ? Elements::kTriangle
                      : arguments.elements == "mixed" ? Elements::kMixed
                                                      : Elements::kQuad;
@@ -256,6 +274,8 @@ void fill_section(MeshArguments& arguments) {
   if (section.anneal > 0 && (section.quads != QuadMethod::kMatching || !makes_quads(section)))
     throw Error(ErrorKind::kUsage, "--anneal needs quadrilaterals by --quads matching");
   fill_start(arguments);
+  refuse_what_is_not_built(arguments);
+  for (const std::string& near : section.sizes.near) (void)parse_near_group(near);
   if (!arguments.cleanup.empty()) section.cleanup = clean_up_level_of(arguments.cleanup);
   check_irregular_price(section.irregular_price, clean_up_level(section));
 }

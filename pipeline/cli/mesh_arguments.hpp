@@ -23,7 +23,7 @@ struct MeshArguments {
 
   // As written; fill_section() reads them.
   std::string elements = "quad", method = "deferred", start, orient, quads = "cluster", cleanup,
-              preset = "default", size_field;
+              preset = "default";
   std::optional<double> mixed_quality;
   bool keep_boundary = false;
 

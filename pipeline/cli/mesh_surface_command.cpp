@@ -51,7 +51,7 @@ void refuse_options_of_lines(const MeshArguments& arguments) {
   not_built(arguments.elements == "mixed" || arguments.mixed_quality.has_value(), "--elements mixed");
   not_built(arguments.method != "deferred", "--method");
   not_built(arguments.quads != "cluster", "--quads matching");
-  not_built(!arguments.size_field.empty(), "--size-field");
+  not_built(!section.sizes.uniform(), "a size by place (--size-field, --refine-near, --between-lines)");
   not_built(!section.irregular_price.empty(), "--irregular-price");
 }
 

@@ -44,50 +44,64 @@ int front_steps(const SectionOptions& options) {
   return options.fronts.value_or(of_preset);
 }
 
-double predict_elements(const SectionOptions& options, const Box2& box, double size) {
-  const double cells = (box.width() / size + 1) * (box.height() / size + 1);
-  return makes_quads(options) ? cells : cells / kTriangleArea;
+double predict_elements(const SectionOptions& options, const Box2& box, double size,
+                        const WantedSizes* sizes) {
+  const double cells = sizes == nullptr
+                           ? (box.width() / size + 1) * (box.height() / size + 1)
+                           : sizes->count_squares(box, squares_of(options, options.max_elements));
+  return cells / squares_of(options, 1);
+}
+
+double squares_of(const SectionOptions& options, double elements) {
+  return makes_quads(options) ? elements : kTriangleArea * elements;
 }
 
 double predict_bytes(double elements) { return kBytesOfAnyJob + kBytesPerElement * elements; }
 
-ResolvedLengths resolve_lengths(const SectionOptions& options, const Box2& box, double area) {
+double resolve_size(const SectionOptions& options, const Box2& box, double area) {
   if (box.longer_side() < kSmallestDomain)
     throw Error(ErrorKind::kInput,
                 fmt::format("{}: the domain is {:.3g} wide: lengths so small underflow; use another unit",
                             fmt::join(options.inputs, ", "), box.longer_side()));
   if (options.size.has_value() == options.count.has_value())
     throw Error(ErrorKind::kUsage, "give either --size or --count");
-  ResolvedLengths lengths;
+  double size = 0;
   if (options.size) {
-    lengths.size = *options.size;
-    if (!(lengths.size > 0) || !std::isfinite(lengths.size))
+    size = *options.size;
+    if (!(size > 0) || !std::isfinite(size))
       throw Error(ErrorKind::kUsage,
                   fmt::format("--size is {}: it must be a length above 0 in input units", *options.size));
   } else {
     if (!(*options.count >= 1) || !std::isfinite(*options.count))
       throw Error(ErrorKind::kUsage, fmt::format("--count is {}: it must be 1 or more", *options.count));
-    const double unit = makes_quads(options) ? 1.0 : kTriangleArea;
-    lengths.size = std::sqrt(area / *options.count / unit);
+    size = std::sqrt(area / squares_of(options, *options.count));
   }
-  if (lengths.size > box.longer_side())
+  if (size > box.longer_side())
     throw Error(
         ErrorKind::kUsage,
         fmt::format(
             "the size {:.6g} is larger than the domain, whose longer side is {:.6g}: take a smaller --size",
-            lengths.size, box.longer_side()));
-  lengths.snap = positive_or_default(options.snap, 0.05 * lengths.size, "--snap");
-  lengths.min_edge = positive_or_default(options.min_edge, 0.1 * lengths.size, "--min-edge");
-  lengths.tolerance = positive_or_default(options.tolerance, 0.05 * lengths.size, "--tolerance");
-  const double elements = predict_elements(options, box, lengths.size);
+            size, box.longer_side()));
+  return size;
+}
+
+ResolvedLengths resolve_lengths(const SectionOptions& options, double size, double smallest) {
+  ResolvedLengths lengths;
+  lengths.size = size;
+  lengths.snap = positive_or_default(options.snap, 0.05 * smallest, "--snap");
+  lengths.min_edge = positive_or_default(options.min_edge, 0.1 * smallest, "--min-edge");
+  lengths.tolerance = positive_or_default(options.tolerance, 0.05 * smallest, "--tolerance");
+  return lengths;
+}
+
+void require_within_budget(const SectionOptions& options, double size, double elements) {
   if (elements > options.max_elements)
     throw Error(
         ErrorKind::kBudget,
         fmt::format(
             "a size of {:.6g} means about {:.3g} elements and {:.3g} GB of memory, beyond --max-elements "
             "{:.3g}: take a larger --size, or raise the limit",
-            lengths.size, elements, predict_bytes(elements) / 1e9, options.max_elements));
-  return lengths;
+            size, elements, predict_bytes(elements) / 1e9, options.max_elements));
 }
 
 }  // namespace quarry

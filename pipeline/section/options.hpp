@@ -10,6 +10,7 @@
 #include "engine/geometry/box.hpp"
 #include "kernels/cleanup/clean_up.hpp"
 #include "kernels/cluster/low_quads.hpp"
+#include "pipeline/section/wanted_sizes.hpp"
 
 namespace quarry {
 
@@ -29,8 +30,10 @@ struct SectionOptions {
   // Wanted edge of the final elements in input units; or about how many elements. Exactly one is given.
   std::optional<double> size;
   std::optional<double> count;
+  // Where elements are to be smaller than that.
+  SizeOptions sizes;
   double max_elements = 2e8;
-  // Lengths in input units; unset: 0.05, 0.1 and 0.05 of the size.
+  // Lengths in input units; unset: 0.05, 0.1 and 0.05 of the smallest size wanted on a line.
   std::optional<double> snap, min_edge, tolerance;
   Elements elements = Elements::kQuad;
   // Of mixed meshes: quads with a smaller scaled Jacobian are cut into triangles where that helps.
@@ -66,9 +69,19 @@ struct ResolvedLengths {
   double tolerance = 0;
 };
 
-// Fills in defaults. area: of the domain, for --count. Throws Error(kUsage) for values that make no sense and
-// Error(kBudget) when more elements than max_elements are to be expected in the box.
-[[nodiscard]] ResolvedLengths resolve_lengths(const SectionOptions& options, const Box2& box, double area);
+// The size asked for, or what --count means in a domain of this area and box. Throws Error(kUsage) for values
+// that make no sense.
+[[nodiscard]] double resolve_size(const SectionOptions& options, const Box2& box, double area);
+
+// Fills in defaults; smallest: the smallest size wanted on a line. Throws Error(kUsage) for values that make
+// no sense.
+[[nodiscard]] ResolvedLengths resolve_lengths(const SectionOptions& options, double size, double smallest);
+
+// So many elements take the area of so many squares of the wanted size.
+[[nodiscard]] double squares_of(const SectionOptions& options, double elements);
+
+// Throws Error(kBudget) if so many elements are more than max_elements.
+void require_within_budget(const SectionOptions& options, double size, double elements);
 
 // True if the mesh is made of quads, all or most of them.
 [[nodiscard]] bool makes_quads(const SectionOptions& options);
@@ -79,8 +92,9 @@ struct ResolvedLengths {
 // The clean-up that the options and their preset ask for; none for triangles.
 [[nodiscard]] CleanUpLevel clean_up_level(const SectionOptions& options);
 
-// About how many elements of the wanted size a box takes.
-[[nodiscard]] double predict_elements(const SectionOptions& options, const Box2& box, double size);
+// About how many elements of one size a box takes; sizes: of the elements, where they differ.
+[[nodiscard]] double predict_elements(const SectionOptions& options, const Box2& box, double size,
+                                      const WantedSizes* sizes);
 
 // Bytes of memory that a job of so many elements takes at its peak.
 [[nodiscard]] double predict_bytes(double elements);

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "engine/geometry/line_set.hpp"
-#include "io/raster/raster.hpp"
+#include "engine/geometry/raster.hpp"
 #include "kernels/cleanup/irregular_price.hpp"
 
 namespace quarry {

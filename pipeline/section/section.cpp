@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <functional>
 
 #include <fmt/format.h>
 
@@ -17,44 +17,21 @@
 #include "kernels/local/better_flips.hpp"
 #include "kernels/matching/whole_outline.hpp"
 #include "kernels/smooth/laplacian.hpp"
+#include "pipeline/section/outline_measures.hpp"
 #include "pipeline/section/price_source.hpp"
 #include "pipeline/section/start.hpp"
 
 namespace quarry {
 namespace {
 
+// How far the number of elements may be from --count, as a share of it, where nothing else decides it.
+constexpr double kCountTolerance = 0.02;
+
 Outline find_outline(const SectionOptions& options, const LineSet& lines, double near) {
   if (options.boundary.empty()) return default_outline(lines, near);
   if (options.boundary == "box") return box_outline(lines, near);
   if (options.boundary == "hull") return hull_outline(lines, near);
   return boundary_outline(read_lines({options.boundary}), near);
-}
-
-Box2 box_of(const Outline& outline) {
-  Box2 box;
-  for (const OutlineRing& ring : outline.rings)
-    for (const Vec2 p : ring.points) box.extend(p);
-  return box;
-}
-
-// Of the polygons; those that overlap count twice, which is good enough to foresee a size.
-double area_of(const Outline& outline) {
-  struct Areas {
-    double largest = 0, sum = 0;
-  };
-  std::map<std::uint32_t, Areas> polygons;
-  for (const OutlineRing& ring : outline.rings) {
-    double doubled = 0;
-    for (std::size_t i = 0; i + 1 < ring.points.size(); ++i)
-      doubled += cross(ring.points[i] - ring.points[0], ring.points[i + 1] - ring.points[0]);
-    Areas& areas = polygons[ring.polygon];
-    areas.largest = std::max(areas.largest, 0.5 * std::abs(doubled));
-    areas.sum += 0.5 * std::abs(doubled);
-  }
-  // All rings of a polygon but the largest are its holes.
-  double area = 0;
-  for (const auto& [polygon, areas] : polygons) area += std::max(0.0, 2 * areas.largest - areas.sum);
-  return area;
 }
 
 bool by_matching(const SectionOptions& options) {
@@ -79,14 +56,38 @@ ConstraintTags prepare_start(Mesh& mesh) {
   return tags;
 }
 
-void insert(const SectionOptions& options, SectionResult& result, const Progress& progress) {
+Mesh start_mesh(const SectionOptions& options, const SectionResult& result, const Progress& progress) {
   const double spacing = spacing_of(options, result.lengths.size);
+  const NodedLines& lines = result.cleaned.lines;
+  if (!result.sizes) return make_start_mesh(options, lines, spacing, result.orient_degrees);
+  // Triangles are in proportion to the elements that they become.
+  const ScaledSize sizes(result.sizes->field(), spacing / result.lengths.size);
+  return make_graded_start(lines, sizes, spacing, result.orient_degrees, progress);
+}
+
+void insert(const SectionOptions& options, SectionResult& result, const Progress& progress) {
+  const double spacing = spacing_of(options, result.sizes ? result.sizes->smallest() : result.lengths.size);
   DeferredOptions deferred = options.preset == Preset::kPaper ? paper_options(spacing) : DeferredOptions();
   deferred.spacing = spacing;
   // A triangle becomes two or three quads, or half of one; the start mesh reaches beyond the outline.
   const double share = !makes_quads(options) ? 1.0 : by_matching(options) ? 2.0 : 0.5;
   deferred.max_faces = result.mesh.face_slots() + static_cast<std::size_t>(share * options.max_elements);
   (void)insert_lines(result.mesh, result.cleaned.lines, deferred, result.deferred, progress);
+}
+
+// A start mesh with the lines in it, and nothing outside the outline.
+void make_triangles(const SectionOptions& options, SectionResult& result, StageClock& clock,
+                    const Progress& progress) {
+  clock.start("start mesh");
+  result.mesh = start_mesh(options, result, progress);
+  const ConstraintTags tags = prepare_start(result.mesh);
+  clock.start("insertion");
+  result.deferred = {};
+  insert(options, result, progress);
+  remove_outside(result.mesh, tags, result.cleaned.lines);
+  split_pinches(result.mesh, tags);
+  if (options.keep_boundary) make_outline_whole(result.mesh, result.cleaned.lines, progress);
+  compact(result.mesh, EntityOrder::kHilbert);
 }
 
 void match_to_quads(const SectionOptions& options, SectionResult& result, const Progress& progress) {
@@ -113,13 +114,36 @@ void convert_to_quads(const SectionOptions& options, SectionResult& result, cons
   result.mesh = make_quads(std::move(result.mesh), result.cleaned.lines, quads, result.quads, progress);
 }
 
+// With --count sizes are mended until the count is met: short pieces and narrow gaps ask for more elements
+// than their area tells.
+void make_elements(const SectionOptions& options, SectionResult& result, StageClock& clock,
+                   const Progress& progress) {
+  constexpr int kMostRounds = 4;
+  for (int round = 1;; ++round) {
+    make_triangles(options, result, clock, progress);
+    if (makes_quads(options)) {
+      clock.start("quads");
+      convert_to_quads(options, result, progress);
+    }
+    if (!options.count || options.start == StartMesh::kFile || round == kMostRounds) return;
+    const double ratio = static_cast<double>(result.mesh.count_alive_faces()) / *options.count;
+    if (std::abs(ratio - 1) <= kCountTolerance) return;
+    result.lengths.size *= std::sqrt(ratio);
+    if (result.sizes) result.sizes->multiply(std::sqrt(ratio));
+  }
+}
+
 void clean_up_quads(const SectionOptions& options, const PriceSource& prices, SectionResult& result,
                     const Progress& progress) {
   CleanUpOptions clean_up_options;
   clean_up_options.local.price = clean_up_options.patches.price = prices.price(result.cleaned.lines);
   clean_up_options.level = clean_up_level(options);
   const UniformSize size(result.lengths.size);
-  clean_up_options.size = &size;
+  if (options.count) {
+    clean_up_options.patches.wanted_faces = static_cast<std::size_t>(*options.count);
+    clean_up_options.patches.most_growth = clean_up_options.patches.most_shrinkage = kCountTolerance;
+  }
+  clean_up_options.size = result.sizes ? &result.sizes->field() : &size;
   clean_up(result.mesh, result.cleaned.lines, clean_up_options, result.clean_up, progress);
 }
 
@@ -134,6 +158,26 @@ void require_valid(const Mesh& mesh) {
   if (!failure.empty()) throw Error(ErrorKind::kBug, "the mesh is not valid: " + failure);
 }
 
+// Multiplies the sizes so that the count is met.
+void fit_count(const SectionOptions& options, SectionResult& result) {
+  const InsideOutline inside(result.outline);
+  result.sizes->fit(squares_of(options, *options.count), box_of(result.outline), std::cref(inside));
+  result.lengths.size = result.sizes->largest();
+}
+
+void resolve_sizes(const SectionOptions& options, SectionResult& result) {
+  const double size = resolve_size(options, box_of(result.outline), area_of(result.outline));
+  result.lengths.size = size;
+  // What is too much for one size cannot be told from the number of lines: before they are cleaned.
+  if (options.sizes.uniform())
+    require_within_budget(options, size, predict_elements(options, box_of(result.outline), size, nullptr));
+  else
+    result.sizes = std::make_shared<WantedSizes>(options.sizes, result.lines, size);
+  if (result.sizes && options.count) fit_count(options, result);
+  result.lengths = resolve_lengths(options, result.lengths.size,
+                                   result.sizes ? result.sizes->smallest_on(result.lines) : size);
+}
+
 void read_and_clean(const SectionOptions& options, SectionResult& result, StageClock& clock,
                     const Progress& progress) {
   clock.start("reading");
@@ -142,22 +186,26 @@ void read_and_clean(const SectionOptions& options, SectionResult& result, StageC
   const Box2 box = result.lines.box();
   const double near = options.snap.value_or(0.05 * options.size.value_or(0.01 * box.longer_side()));
   result.outline = find_outline(options, result.lines, near);
-  result.lengths = resolve_lengths(options, box_of(result.outline), area_of(result.outline));
+  resolve_sizes(options, result);
   result.cleaned = clean_lines(result.lines, result.outline,
                                {.snap = result.lengths.snap,
                                 .min_edge = result.lengths.min_edge,
                                 .tolerance = result.lengths.tolerance},
                                progress);
   result.lengths.snap = result.cleaned.options.snap;
+  if (result.sizes) result.sizes->add_gaps(result.cleaned.lines);
+  if (result.sizes && options.count) fit_count(options, result);
+  result.elements =
+      predict_elements(options, box_of(result.outline), result.lengths.size, result.sizes.get());
+  require_within_budget(options, result.lengths.size, result.elements);
 }
 
 void tell_prediction(const SectionOptions& options, const SectionResult& result) {
   if (!options.on_prediction) return;
   // The start mesh covers the whole box, and its memory is needed; elements remain in the domain alone.
   const Box2 box = box_of(result.outline);
-  const double in_box = predict_elements(options, box, result.lengths.size);
   const double share = std::min(1.0, area_of(result.outline) / (box.width() * box.height()));
-  options.on_prediction(share * in_box, predict_bytes(in_box));
+  options.on_prediction(share * result.elements, predict_bytes(result.elements));
 }
 
 }  // namespace
@@ -177,20 +225,9 @@ SectionResult mesh_section(const SectionOptions& options, const Progress& progre
   const PriceSource prices(options.irregular_price);
   read_and_clean(options, result, clock, progress);
   tell_prediction(options, result);
-  clock.start("start mesh");
   result.orient_degrees = find_orientation(options, result.outline.rule, result.cleaned.lines);
-  result.mesh = make_start_mesh(options, result.cleaned.lines, spacing_of(options, result.lengths.size),
-                                result.orient_degrees);
-  const ConstraintTags tags = prepare_start(result.mesh);
-  clock.start("insertion");
-  insert(options, result, progress);
-  remove_outside(result.mesh, tags, result.cleaned.lines);
-  split_pinches(result.mesh, tags);
-  if (options.keep_boundary) make_outline_whole(result.mesh, result.cleaned.lines, progress);
-  compact(result.mesh, EntityOrder::kHilbert);
+  make_elements(options, result, clock, progress);
   if (makes_quads(options)) {
-    clock.start("quads");
-    convert_to_quads(options, result, progress);
     clock.start("clean-up");
     clean_up_quads(options, prices, result, progress);
     if (options.elements == Elements::kMixed) cut_into_triangles(options, result);

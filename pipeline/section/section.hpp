@@ -2,6 +2,8 @@
 // smooths its triangles). Nothing is written here.
 #pragma once
 
+#include <memory>
+
 #include "engine/base/progress.hpp"
 #include "engine/geometry/line_set.hpp"
 #include "engine/mesh/mesh.hpp"
@@ -14,6 +16,7 @@
 #include "kernels/smooth/sweep.hpp"
 #include "pipeline/section/options.hpp"
 #include "pipeline/section/stages.hpp"
+#include "pipeline/section/wanted_sizes.hpp"
 
 namespace quarry {
 
@@ -25,6 +28,8 @@ struct SectionResult {
   CleanedLines cleaned;
   Outline outline;
   ResolvedLengths lengths;
+  std::shared_ptr<WantedSizes> sizes;  // none where all elements are to be of one size
+  double elements = 0;                 // expected in the box of the outline
   double orient_degrees = 0;
   std::int32_t regions = 0;
   DeferredReport deferred;

@@ -73,6 +73,14 @@ std::vector<ReportItem> counts_of(const SectionOptions& options, const SectionRe
   return counts;
 }
 
+void add_sizes(std::vector<ReportItem>& items, const SizeOptions& options, const WantedSizes& sizes) {
+  if (!options.file.empty()) items.push_back({"size-field", std::string("file")});
+  if (!options.near.empty()) items.push_back({"refine-near", options.near});
+  if (options.between) items.push_back({"between-lines", *options.between});
+  items.push_back({"gradation", options.gradation});
+  items.push_back({"smallest", sizes.smallest()});
+}
+
 }  // namespace
 
 std::vector<ReportItem> resolved_options(const SectionOptions& options, const SectionResult& result) {
@@ -97,6 +105,7 @@ std::vector<ReportItem> resolved_options(const SectionOptions& options, const Se
   if (!options.irregular_price.empty())
     items.push_back({"irregular-price", price_text(options.irregular_price)});
   if (options.elements == Elements::kMixed) items.push_back({"mixed-quality", options.mixed_quality});
+  if (result.sizes) add_sizes(items, options.sizes, *result.sizes);
   return items;
 }
 
@@ -122,6 +131,7 @@ std::string hash_inputs(const SectionOptions& options) {
   if (options.start == StartMesh::kFile) paths.push_back(options.start_file);
   if (const std::string prices = price_file(options.irregular_price); !prices.empty())
     paths.push_back(prices);
+  if (!options.sizes.file.empty()) paths.push_back(options.sizes.file);
   return hash_files(paths);
 }
 

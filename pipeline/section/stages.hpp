@@ -17,8 +17,8 @@ struct StageTime {
 class StageClock {
  public:
   explicit StageClock(const Progress& progress) : progress_(&progress) {}
-  // Ends the stage that runs and starts the next.
-  void start(std::string name);
+  // Ends the stage that runs and starts the next; the times of one that is started again add up.
+  void start(const std::string& name);
   // Ends the last stage.
   void stop();
   [[nodiscard]] const std::vector<StageTime>& times() const { return times_; }
@@ -26,6 +26,7 @@ class StageClock {
  private:
   const Progress* progress_;
   std::vector<StageTime> times_;
+  std::size_t current_ = 0;
   std::chrono::steady_clock::time_point began_;
   bool running_ = false;
 };

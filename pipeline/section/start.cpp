@@ -4,6 +4,7 @@
 
 #include "engine/base/error.hpp"
 #include "io/mesh/mesh_format.hpp"
+#include "kernels/initial/adaptive_crisscross.hpp"
 #include "kernels/initial/crisscross.hpp"
 #include "kernels/initial/delaunay.hpp"
 #include "kernels/initial/direction.hpp"
@@ -23,6 +24,12 @@ Mesh read_start(const std::string& path, const NodedLines& lines) {
   }
 }
 
+Box2 box_of(const NodedLines& lines) {
+  Box2 box;
+  for (const Vec2 p : lines.nodes) box.extend(p);
+  return box;
+}
+
 }  // namespace
 
 double find_orientation(const SectionOptions& options, OutlineRule rule, const NodedLines& lines) {
@@ -33,8 +40,7 @@ double find_orientation(const SectionOptions& options, OutlineRule rule, const N
 
 Mesh make_start_mesh(const SectionOptions& options, const NodedLines& lines, double spacing,
                      double orient_degrees) {
-  Box2 box;
-  for (const Vec2 p : lines.nodes) box.extend(p);
+  const Box2 box = box_of(lines);
   switch (options.start) {
     case StartMesh::kDelaunay:
       return make_delaunay(box, {.spacing = spacing, .angle_degrees = orient_degrees, .seed = options.seed});
@@ -44,6 +50,12 @@ Mesh make_start_mesh(const SectionOptions& options, const NodedLines& lines, dou
       break;
   }
   return make_crisscross(box, {.cell = spacing, .angle_degrees = orient_degrees});
+}
+
+Mesh make_graded_start(const NodedLines& lines, const SizeField& sizes, double coarsest,
+                       double orient_degrees, const Progress& progress) {
+  return make_adaptive_crisscross(
+      box_of(lines), sizes, {.coarsest = coarsest, .finest = 0, .angle_degrees = orient_degrees}, progress);
 }
 
 }  // namespace quarry

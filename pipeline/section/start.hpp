@@ -1,8 +1,10 @@
 // The mesh into which the lines of a section are worked.
 #pragma once
 
+#include "engine/base/progress.hpp"
 #include "engine/geometry/line_set.hpp"
 #include "engine/mesh/mesh.hpp"
+#include "kernels/field/size_field.hpp"
 #include "kernels/linework/outline.hpp"
 #include "pipeline/section/options.hpp"
 
@@ -17,5 +19,9 @@ namespace quarry {
 // wanted edge of a triangle, in input units. Throws Error(kInput) for a start file that cannot be used.
 [[nodiscard]] Mesh make_start_mesh(const SectionOptions& options, const NodedLines& lines, double spacing,
                                    double orient_degrees);
+
+// The 4-8 lattice refined by a field of the wanted edges of triangles, of which `coarsest` is the largest.
+[[nodiscard]] Mesh make_graded_start(const NodedLines& lines, const SizeField& sizes, double coarsest,
+                                     double orient_degrees, const Progress& progress);
 
 }  // namespace quarry

@@ -34,8 +34,10 @@ TEST(GradedSize, EqualsTheSmallestOverAllSources) {
     for (std::uint64_t i = 0; i < 500; ++i) {
       const Vec2 p{origin.x - 50 + 200 * uniform01(9, 2 * i), origin.y - 50 + 200 * uniform01(9, 2 * i + 1)};
       double expected = 5;
-      for (const auto& [segment, size] : sources)
-        expected = std::min(expected, size + 0.2 * std::sqrt(squared_distance(p, segment.from, segment.to)));
+      for (const auto& [segment, size, reach] : sources) {
+        const double away = std::sqrt(squared_distance(p, segment.from, segment.to));
+        expected = std::min(expected, size + 0.2 * std::max(0.0, away - reach));
+      }
       ASSERT_EQ(field.at(p), expected);
     }
   }
@@ -55,8 +57,16 @@ TEST(GradedSize, IsTheLargestSizeWhereNothingIsAskedFor) {
   EXPECT_EQ(GradedSize({{{{0, 0}, {0, 0}}, 0.1}}, {.largest = 3}).at({1e6, 1e6}), 3);
 }
 
+TEST(GradedSize, HoldsUpToItsReach) {
+  const GradedSize field({{{{0, 0}, {10, 0}}, 1, 3}}, {.largest = 50, .gradation = 0.5});
+  EXPECT_EQ(field.at({5, 2.9}), 1);
+  EXPECT_EQ(field.at({5, 7}), 3);
+  EXPECT_EQ(field.at({18, 0}), 3.5);
+}
+
 TEST(GradedSize, RefusesSizesThatAreNotPositive) {
   EXPECT_THROW(GradedSize({{{{0, 0}, {0, 0}}, 0}}, {}), Error);
+  EXPECT_THROW(GradedSize({{{{0, 0}, {0, 0}}, 1, -1}}, {}), Error);
   EXPECT_THROW(GradedSize({}, {.largest = std::nan("")}), Error);
   EXPECT_THROW(GradedSize({}, {.largest = 1, .gradation = 0}), Error);
 }

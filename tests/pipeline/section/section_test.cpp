@@ -158,15 +158,17 @@ TEST(SectionProperties, SnapOfZeroIsRaisedAndTold) {
   EXPECT_EQ(validate(result.mesh, GeometryCheck::kPlanarCorners), "");
 }
 
-TEST(SectionCount, IsMetWithinAQuarter) {
+TEST(SectionCount, IsMetWithinATwentieth) {
   const ScratchFile file("lines.geojson",
                          geojson_text({{{0, 0}, {100, 0}}, {{0, 100}, {100, 100}}, {{20, 30}, {70, 60}}}));
-  for (const double count : {500.0, 5000.0, 50000.0}) {
+  // Few elements come in whole rows.
+  for (const auto& [count, share] :
+       {std::pair(500.0, 0.2), std::pair(5000.0, 0.05), std::pair(50000.0, 0.05)}) {
     SectionOptions options = options_for(file.path(), 1);
     options.size.reset();
     options.count = count;
     const SectionResult result = mesh_section(options, {});
-    EXPECT_NEAR(static_cast<double>(result.mesh.count_alive_faces()), count, 0.25 * count) << count;
+    EXPECT_NEAR(static_cast<double>(result.mesh.count_alive_faces()), count, share * count) << count;
   }
 }
 

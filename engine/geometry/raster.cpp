@@ -1,4 +1,4 @@
-#include "io/raster/raster.hpp"
+#include "engine/geometry/raster.hpp"
 
 #include <algorithm>
 #include <cmath>

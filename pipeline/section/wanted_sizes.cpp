@@ -1,0 +1,138 @@
+#include "pipeline/section/wanted_sizes.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "engine/base/error.hpp"
+#include "io/raster/asc_reader.hpp"
+#include "io/raster/point_values.hpp"
+#include "kernels/field/expected_elements.hpp"
+#include "kernels/field/gap_sizes.hpp"
+#include "kernels/field/raster_size.hpp"
+
+namespace quarry {
+namespace {
+
+constexpr double kSmallestShare = 0.1;
+// More are not counted to find a factor: a field of so many different places has no use.
+constexpr double kMostSquares = 1e9;
+constexpr std::string_view kAllLines = "lines";
+
+// A finite number of at least 0; none for any other text.
+std::optional<double> parse_length(std::string_view text) {
+  double number = 0;
+  const auto [stop, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const bool fits = failure == std::errc() && stop == text.data() + text.size() && number >= 0;
+  return fits && std::isfinite(number) ? std::optional(number) : std::nullopt;
+}
+
+bool belongs_to(const LineSet& set, const InputLine& line, const std::string& group) {
+  return group == kAllLines || std::filesystem::path(set.files[line.file]).stem() == group;
+}
+
+std::shared_ptr<const SizeField> near_field(const NearGroup& near, const LineSet& lines,
+                                            const GradedSizeOptions& grading) {
+  std::vector<SizeSource> sources;
+  for (const InputLine& line : lines.lines)
+    if (belongs_to(lines, line, near.group))
+      for (std::size_t i = 0; i + 1 < line.points.size(); ++i)
+        sources.push_back({{line.points[i], line.points[i + 1]}, near.size, near.distance});
+  if (sources.empty())
+    throw Error(
+        ErrorKind::kUsage,
+        fmt::format("--refine-near {}: no line is of this group; there is \"{}\", and each file by its name "
+                    "without ending",
+                    near.group, kAllLines));
+  return std::make_shared<GradedSize>(std::move(sources), grading);
+}
+
+std::shared_ptr<const SizeField> file_field(const std::string& path, const GradedSizeOptions& grading) {
+  if (path.ends_with(".tif") || path.ends_with(".tiff"))
+    throw Error(
+        ErrorKind::kUsage,
+        fmt::format(
+            "--size-field {}: GeoTIFF is not built yet; `gdal_translate -of AAIGrid {} sizes.asc` makes a "
+            "raster that is read",
+            path, path));
+  try {
+    if (path.ends_with(".asc")) return std::make_shared<RasterSize>(read_asc(path), grading);
+    std::vector<SizeSource> sources;
+    for (const PointValue& point : read_point_values(path))
+      sources.push_back({{point.at, point.at}, point.value});
+    return std::make_shared<GradedSize>(std::move(sources), grading);
+  } catch (const Error& error) {
+    if (error.kind() == ErrorKind::kInput) throw;
+    throw Error(ErrorKind::kInput, fmt::format("{}: {}", path, error.message()));
+  }
+}
+
+}  // namespace
+
+NearGroup parse_near_group(const std::string& text) {
+  const std::size_t second = text.rfind(':');
+  const std::size_t first = second == std::string::npos || second == 0 ? second : text.rfind(':', second - 1);
+  if (first != std::string::npos && first < second && first > 0) {
+    const auto size = parse_length(std::string_view(text).substr(first + 1, second - first - 1));
+    const auto distance = parse_length(std::string_view(text).substr(second + 1));
+    if (size && *size > 0 && distance) return {text.substr(0, first), *size, *distance};
+  }
+  throw Error(
+      ErrorKind::kUsage,
+      fmt::format(
+          "--refine-near {}: give it as GROUP:SIZE:DISTANCE with a size above 0 and a distance of 0 or "
+          "more",
+          text));
+}
+
+WantedSizes::WantedSizes(const SizeOptions& options, const LineSet& lines, double largest)
+    : options_(options), largest_(largest), smallest_(options.smallest.value_or(kSmallestShare * largest)) {
+  if (!(smallest_ > 0 && smallest_ <= largest_))
+    throw Error(ErrorKind::kUsage,
+                fmt::format("--smallest is {}: it must be above 0, and at most the largest size {:.6g}",
+                            smallest_, largest_));
+  asked_.push_back(std::make_shared<UniformSize>(largest_));
+  if (!options.file.empty()) asked_.push_back(file_field(options.file, grading()));
+  for (const std::string& text : options.near)
+    asked_.push_back(near_field(parse_near_group(text), lines, grading()));
+  rescale(1);
+}
+
+void WantedSizes::add_gaps(const NodedLines& lines) {
+  if (!options_.between) return;
+  if (!(*options_.between > 0) || !std::isfinite(*options_.between))
+    throw Error(ErrorKind::kUsage,
+                fmt::format("--between-lines is {}: it must be above 0", *options_.between));
+  const GapOptions gaps{*options_.between, smallest_, largest_};
+  asked_.push_back(std::make_shared<GradedSize>(gap_sizes(lines, gaps), grading()));
+  rescale(factor_);
+}
+
+void WantedSizes::fit(double count, const Box2& box, const std::function<bool(Vec2)>& inside) {
+  rescale(1);
+  rescale(std::sqrt(expected_squares(field(), box, kMostSquares, inside) / count));
+}
+
+double WantedSizes::count_squares(const Box2& box, double most) const {
+  return expected_squares(field(), box, most);
+}
+
+double WantedSizes::smallest_on(const LineSet& lines) const {
+  double size = largest();
+  for (const InputLine& line : lines.lines)
+    for (const Vec2 p : line.points) size = std::min(size, field().at(p));
+  return size;
+}
+
+void WantedSizes::rescale(double factor) {
+  factor_ = factor;
+  sizes_ = std::make_unique<const SmallestSize>(asked_);
+  scaled_ = std::make_unique<const ScaledSize>(*sizes_, factor, factor * smallest_);
+}
+
+}  // namespace quarry
