@@ -122,7 +122,9 @@ class SquaringMover {
       const Vec2 offset = target - star_.place();
       if (!(squared_length(offset) > options_.tolerance * options_.tolerance * star_.shortest_squared()))
         return false;
-      if (!star_.keeps_faces(offset, floor_) || !(value_at(offset) < here.value) || !star_.valid_at(target))
+      if (!star_.keeps_faces(offset, floor_) ||
+          !star_.keeps_edge_ratios(offset, options_.largest_edge_ratio) || !(value_at(offset) < here.value) ||
+          !star_.valid_at(target))
         continue;
       mesh.set_point(v, target);
       return true;

@@ -16,13 +16,20 @@ double signed_square(double area, double lengths) {
 
 // Four edges s, s, 4.9s, 4.9s have r = 0.16, see Star; no four edges within that ratio have less.
 constexpr double kFree = 0.16;
+constexpr double kFreeRatio = 4.9;
+
+// The shortest and the longest edge of a face, squared.
+struct SquaredEdges {
+  double shortest, longest;
+  [[nodiscard]] bool within(double ratio) const { return ratio * ratio * shortest >= longest; }
+};
+SquaredEdges squared_edges(const StarFace& face, double oo, double bb) {
+  return {std::min(std::min(face.far_next_squared, face.far_previous_squared), std::min(oo, bb)),
+          std::max(std::max(face.far_next_squared, face.far_previous_squared), std::max(oo, bb))};
+}
+
 bool has_free_aspect(const StarFace& face, double oo, double bb) {
-  constexpr double kFreeRatio = 4.9;
-  const double shortest =
-      std::min(std::min(face.far_next_squared, face.far_previous_squared), std::min(oo, bb));
-  const double longest =
-      std::max(std::max(face.far_next_squared, face.far_previous_squared), std::max(oo, bb));
-  return kFreeRatio * kFreeRatio * shortest >= longest;
+  return squared_edges(face, oo, bb).within(kFreeRatio);
 }
 
 // What the aspect of a quad adds to 1 / sine^2.
@@ -170,6 +177,17 @@ bool Star::keeps_faces(Vec2 offset, double bar) const {
     if (measure(weighed, offset) < std::min(measure(weighed, {}), bar)) return false;
   }
   return true;
+}
+
+bool Star::keeps_edge_ratios(Vec2 offset, double limit) const {
+  const auto faces = this->faces();
+  return std::all_of(faces.begin(), faces.end(), [&](const StarFace& face) {
+    const SquaredEdges after =
+        squared_edges(face, squared_length(face.next - offset), squared_length(face.previous - offset));
+    if (!face.quad || after.within(limit)) return true;
+    const SquaredEdges now = squared_edges(face, squared_length(face.next), squared_length(face.previous));
+    return after.longest * now.shortest <= now.longest * after.shortest;
+  });
 }
 
 bool Star::valid_at(Vec2 p) const {

@@ -61,6 +61,9 @@ class Star {
   [[nodiscard]] double badness_at(Vec2 offset) const;
   // True if no face would fall below the bar (positive) that is above it now, nor any other become worse.
   [[nodiscard]] bool keeps_faces(Vec2 offset, double bar) const;
+  // True if no quad would have a longest edge beyond so many times its shortest, and more unequal edges than
+  // now.
+  [[nodiscard]] bool keeps_edge_ratios(Vec2 offset, double limit) const;
   // The measure of one face, without a star.
   [[nodiscard]] static double measure_of(const Mesh& mesh, FaceId f);
   // True if every corner of the star turns left were the vertex at p (exact).

@@ -79,6 +79,7 @@ void insert(const SectionOptions& options, SectionResult& result, const Progress
 void make_triangles(const SectionOptions& options, SectionResult& result, StageClock& clock,
                     const Progress& progress) {
   clock.start("start mesh");
+  result.orient_degrees = find_orientation(options, result.outline.rule, result.cleaned.lines);
   result.mesh = start_mesh(options, result, progress);
   const ConstraintTags tags = prepare_start(result.mesh);
   clock.start("insertion");
@@ -114,25 +115,6 @@ void convert_to_quads(const SectionOptions& options, SectionResult& result, cons
   result.mesh = make_quads(std::move(result.mesh), result.cleaned.lines, quads, result.quads, progress);
 }
 
-// With --count sizes are mended until the count is met: short pieces and narrow gaps ask for more elements
-// than their area tells.
-void make_elements(const SectionOptions& options, SectionResult& result, StageClock& clock,
-                   const Progress& progress) {
-  constexpr int kMostRounds = 4;
-  for (int round = 1;; ++round) {
-    make_triangles(options, result, clock, progress);
-    if (makes_quads(options)) {
-      clock.start("quads");
-      convert_to_quads(options, result, progress);
-    }
-    if (!options.count || options.start == StartMesh::kFile || round == kMostRounds) return;
-    const double ratio = static_cast<double>(result.mesh.count_alive_faces()) / *options.count;
-    if (std::abs(ratio - 1) <= kCountTolerance) return;
-    result.lengths.size *= std::sqrt(ratio);
-    if (result.sizes) result.sizes->multiply(std::sqrt(ratio));
-  }
-}
-
 void clean_up_quads(const SectionOptions& options, const PriceSource& prices, SectionResult& result,
                     const Progress& progress) {
   CleanUpOptions clean_up_options;
@@ -158,46 +140,46 @@ void require_valid(const Mesh& mesh) {
   if (!failure.empty()) throw Error(ErrorKind::kBug, "the mesh is not valid: " + failure);
 }
 
-// Multiplies the sizes so that the count is met.
+// Multiplies the sizes so that their squares fill the domain as often as elements are wanted.
 void fit_count(const SectionOptions& options, SectionResult& result) {
   const InsideOutline inside(result.outline);
   result.sizes->fit(squares_of(options, *options.count), box_of(result.outline), std::cref(inside));
   result.lengths.size = result.sizes->largest();
 }
 
-void resolve_sizes(const SectionOptions& options, SectionResult& result) {
-  const double size = resolve_size(options, box_of(result.outline), area_of(result.outline));
-  result.lengths.size = size;
-  // What is too much for one size cannot be told from the number of lines: before they are cleaned.
-  if (options.sizes.uniform())
-    require_within_budget(options, size, predict_elements(options, box_of(result.outline), size, nullptr));
-  else
-    result.sizes = std::make_shared<WantedSizes>(options.sizes, result.lines, size);
-  if (result.sizes && options.count) fit_count(options, result);
-  result.lengths = resolve_lengths(options, result.lengths.size,
-                                   result.sizes ? result.sizes->smallest_on(result.lines) : size);
-}
-
-void read_and_clean(const SectionOptions& options, SectionResult& result, StageClock& clock,
-                    const Progress& progress) {
+void read(const SectionOptions& options, SectionResult& result, StageClock& clock) {
   clock.start("reading");
   result.lines = read_lines(options.inputs);
   clock.start("cleaning");
   const Box2 box = result.lines.box();
   const double near = options.snap.value_or(0.05 * options.size.value_or(0.01 * box.longer_side()));
   result.outline = find_outline(options, result.lines, near);
-  resolve_sizes(options, result);
+  const double size = resolve_size(options, box_of(result.outline), area_of(result.outline));
+  result.lengths.size = size;
+  // What is too much in one size cannot be told from the number of lines: before they are cleaned.
+  if (options.sizes.uniform())
+    require_within_budget(options, size, predict_elements(options, box_of(result.outline), size, nullptr));
+  else
+    result.sizes = std::make_shared<WantedSizes>(options.sizes, result.lines, size);
+  if (result.sizes && options.count) fit_count(options, result);
+}
+
+// Cleans the lines for the size that is wanted by now.
+void clean(const SectionOptions& options, SectionResult& result, StageClock& clock,
+           const Progress& progress) {
+  clock.start("cleaning");
+  const double size = result.lengths.size;
+  result.lengths =
+      resolve_lengths(options, size, result.sizes ? result.sizes->smallest_on(result.lines) : size);
   result.cleaned = clean_lines(result.lines, result.outline,
                                {.snap = result.lengths.snap,
                                 .min_edge = result.lengths.min_edge,
                                 .tolerance = result.lengths.tolerance},
                                progress);
   result.lengths.snap = result.cleaned.options.snap;
-  if (result.sizes) result.sizes->add_gaps(result.cleaned.lines);
-  if (result.sizes && options.count) fit_count(options, result);
-  result.elements =
-      predict_elements(options, box_of(result.outline), result.lengths.size, result.sizes.get());
-  require_within_budget(options, result.lengths.size, result.elements);
+  if (result.sizes) result.sizes->set_gaps(result.cleaned.lines);
+  result.elements = predict_elements(options, box_of(result.outline), size, result.sizes.get());
+  require_within_budget(options, size, result.elements);
 }
 
 void tell_prediction(const SectionOptions& options, const SectionResult& result) {
@@ -208,12 +190,40 @@ void tell_prediction(const SectionOptions& options, const SectionResult& result)
   options.on_prediction(share * result.elements, predict_bytes(result.elements));
 }
 
+// With --count sizes are mended until the count is met: short pieces and narrow gaps ask for more elements
+// than their area tells.
+void make_elements(const SectionOptions& options, SectionResult& result, StageClock& clock,
+                   const Progress& progress) {
+  constexpr int kMostRounds = 4;
+  constexpr double kMostScale = 1.4;
+  const double smallest = result.lengths.size / kMostScale;
+  const double largest = result.lengths.size * kMostScale;
+  for (int round = 1;; ++round) {
+    clean(options, result, clock, progress);
+    if (round == 1) tell_prediction(options, result);
+    make_triangles(options, result, clock, progress);
+    if (makes_quads(options)) {
+      clock.start("quads");
+      convert_to_quads(options, result, progress);
+    }
+    if (!options.count || options.start == StartMesh::kFile || round == kMostRounds) return;
+    const double ratio = static_cast<double>(result.mesh.count_alive_faces()) / *options.count;
+    // Where the lines alone make more elements than wanted, larger ones elsewhere are no help.
+    const double scale =
+        std::clamp(std::sqrt(ratio), smallest / result.lengths.size, largest / result.lengths.size);
+    if (std::abs(ratio - 1) <= kCountTolerance || std::abs(scale - 1) <= kCountTolerance) return;
+    result.lengths.size *= scale;
+    if (result.sizes) result.sizes->multiply(scale);
+  }
+}
+
 }  // namespace
 
 SectionResult clean_section(const SectionOptions& options, const Progress& progress) {
   SectionResult result;
   StageClock clock(progress);
-  read_and_clean(options, result, clock, progress);
+  read(options, result, clock);
+  clean(options, result, clock, progress);
   clock.stop();
   result.times = clock.times();
   return result;
@@ -223,9 +233,7 @@ SectionResult mesh_section(const SectionOptions& options, const Progress& progre
   SectionResult result;
   StageClock clock(progress);
   const PriceSource prices(options.irregular_price);
-  read_and_clean(options, result, clock, progress);
-  tell_prediction(options, result);
-  result.orient_degrees = find_orientation(options, result.outline.rule, result.cleaned.lines);
+  read(options, result, clock);
   make_elements(options, result, clock, progress);
   if (makes_quads(options)) {
     clock.start("clean-up");

@@ -53,13 +53,6 @@ std::shared_ptr<const SizeField> near_field(const NearGroup& near, const LineSet
 }
 
 std::shared_ptr<const SizeField> file_field(const std::string& path, const GradedSizeOptions& grading) {
-  if (path.ends_with(".tif") || path.ends_with(".tiff"))
-    throw Error(
-        ErrorKind::kUsage,
-        fmt::format(
-            "--size-field {}: GeoTIFF is not built yet; `gdal_translate -of AAIGrid {} sizes.asc` makes a "
-            "raster that is read",
-            path, path));
   try {
     if (path.ends_with(".asc")) return std::make_shared<RasterSize>(read_asc(path), grading);
     std::vector<SizeSource> sources;
@@ -103,13 +96,13 @@ WantedSizes::WantedSizes(const SizeOptions& options, const LineSet& lines, doubl
   rescale(1);
 }
 
-void WantedSizes::add_gaps(const NodedLines& lines) {
+void WantedSizes::set_gaps(const NodedLines& lines) {
   if (!options_.between) return;
   if (!(*options_.between > 0) || !std::isfinite(*options_.between))
     throw Error(ErrorKind::kUsage,
                 fmt::format("--between-lines is {}: it must be above 0", *options_.between));
   const GapOptions gaps{*options_.between, smallest_, largest_};
-  asked_.push_back(std::make_shared<GradedSize>(gap_sizes(lines, gaps), grading()));
+  gaps_ = std::make_shared<GradedSize>(gap_sizes(lines, gaps), grading());
   rescale(factor_);
 }
 
@@ -131,7 +124,9 @@ double WantedSizes::smallest_on(const LineSet& lines) const {
 
 void WantedSizes::rescale(double factor) {
   factor_ = factor;
-  sizes_ = std::make_unique<const SmallestSize>(asked_);
+  std::vector<std::shared_ptr<const SizeField>> fields = asked_;
+  if (gaps_) fields.push_back(gaps_);
+  sizes_ = std::make_unique<const SmallestSize>(std::move(fields));
   scaled_ = std::make_unique<const ScaledSize>(*sizes_, factor, factor * smallest_);
 }
 

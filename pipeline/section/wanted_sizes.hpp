@@ -41,8 +41,8 @@ class WantedSizes {
   // used.
   WantedSizes(const SizeOptions& options, const LineSet& lines, double largest);
 
-  // From here on lines that run close ask for sizes as well.
-  void add_gaps(const NodedLines& lines);
+  // From here on these lines ask for sizes as well where they run close, in place of those of the last call.
+  void set_gaps(const NodedLines& lines);
   // Multiplies all sizes, so that about so many squares fill what of the box is inside.
   void fit(double count, const Box2& box, const std::function<bool(Vec2)>& inside);
   void multiply(double factor) { rescale(factor * factor_); }
@@ -64,6 +64,7 @@ class WantedSizes {
   double largest_, smallest_;
   double factor_ = 1;
   std::vector<std::shared_ptr<const SizeField>> asked_;
+  std::shared_ptr<const SizeField> gaps_;
   std::unique_ptr<const SmallestSize> sizes_;
   std::unique_ptr<const ScaledSize> scaled_;
 };
