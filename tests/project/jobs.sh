@@ -49,6 +49,10 @@ expect "the cleaned lines are JSON" 0 python3 -m json.tool "$OUT/clean.geojson"
 expect "quality" 0 "$QUARRY" quality "$OUT/1.vtu" --json
 cp "$OUT/stdout" "$OUT/quality.json"
 expect "quality prints JSON" 0 python3 -m json.tool "$OUT/quality.json"
+expect "a drawn network" 0 "$QUARRY" generate fractures --count 150 --curved --outline -o "$OUT/network.geojson"
+expect "a drawn network is meshed" 0 "$QUARRY" mesh "$OUT/network.geojson" -o "$OUT/network.vtu" --size 30 --quiet
+expect "drawn layers" 0 "$QUARRY" generate layers --threads 2 -o "$OUT/layers.geojson"
+expect "drawn layers are meshed" 0 "$QUARRY" mesh "$OUT/layers.geojson" -o "$OUT/layers.vtu" --size 20 --quiet
 expect "picture" 0 "$QUARRY" picture "$OUT/1.vtu" -o "$OUT/section.svg"
 
 cat > "$OUT/cube.obj" << 'END'
