@@ -31,6 +31,7 @@ class InpWriter {
     for (const FaceGroup& group : grouped_.face_groups) write_faces(group);
     std::size_t next = grouped_.faces.size() + 1;
     for (const EdgeGroup& group : grouped_.edge_groups) next = write_edges(group, next);
+    write_node_sets();
     file_.commit();
   }
 
@@ -89,6 +90,39 @@ class InpWriter {
       line << first + i << ", " << numbering_.number(a) + 1 << ", " << numbering_.number(b) + 1 << "\n";
     });
     return first + apart.size();
+  }
+
+  // The nodes of each line, and of all of the boundary.
+  void write_node_sets() {
+    std::vector<EdgeId> boundary;
+    for (std::size_t i = 0; i < grouped_.edge_groups.size();) {
+      const std::int32_t constraint = grouped_.edge_groups[i].constraint;
+      std::vector<EdgeId> edges;
+      for (; i < grouped_.edge_groups.size() && grouped_.edge_groups[i].constraint == constraint; ++i) {
+        const EdgeGroup& group = grouped_.edge_groups[i];
+        for (std::size_t k = group.begin; k < group.end; ++k) {
+          edges.push_back(grouped_.edges[k]);
+          if (group.kind == kOuterBoundary) boundary.push_back(grouped_.edges[k]);
+        }
+      }
+      if (constraint >= 0) write_node_set(word_of(line_name(constraint, options_.names)), edges);
+    }
+    if (!boundary.empty()) write_node_set(std::string(kOuterBoundaryName), boundary);
+  }
+
+  void write_node_set(const std::string& name, const std::vector<EdgeId>& edges) {
+    std::vector<std::uint32_t> nodes;
+    for (const EdgeId e : edges)
+      for (const VertexId end : {mesh_.edge_ends(e).first, mesh_.edge_ends(e).second})
+        nodes.push_back(numbering_.number(end) + 1);
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    file_.write(fmt::format("*NSET, NSET={}\n", name));
+    constexpr std::size_t kInLine = 16;
+    write_lines(file_, (nodes.size() + kInLine - 1) / kInLine, [&](TextLine line, std::size_t i) {
+      const std::size_t end = std::min(nodes.size(), (i + 1) * kInLine);
+      for (std::size_t k = i * kInLine; k < end; ++k) line << nodes[k] << (k + 1 < end ? ", " : ",\n");
+    });
   }
 
   AtomicFile file_;

@@ -8,8 +8,10 @@
 #include <fmt/format.h>
 
 #include "engine/base/error.hpp"
+#include "io/mesh/avs_format.hpp"
 #include "io/mesh/gocad_format.hpp"
 #include "io/mesh/inp_format.hpp"
+#include "io/mesh/mfem_format.hpp"
 #include "io/mesh/msh_format.hpp"
 #include "io/mesh/obj_format.hpp"
 #include "io/mesh/off_format.hpp"
@@ -28,11 +30,12 @@ struct MeshFormat {
 };
 
 constexpr std::array kFormats = {
-    MeshFormat{".vtu", write_vtu, read_vtu}, MeshFormat{".msh", write_msh, read_msh},
-    MeshFormat{".obj", write_obj, read_obj}, MeshFormat{".inp", write_inp, read_inp},
-    MeshFormat{".ply", write_ply, read_ply}, MeshFormat{".stl", write_stl, read_stl},
-    MeshFormat{".off", nullptr, read_off},   MeshFormat{".ts", nullptr, read_gocad},
-    MeshFormat{".ml", nullptr, read_gocad}};
+    MeshFormat{".vtu", write_vtu, read_vtu},    MeshFormat{".msh", write_msh, read_msh},
+    MeshFormat{".obj", write_obj, read_obj},    MeshFormat{".inp", write_inp, read_inp},
+    MeshFormat{".ply", write_ply, read_ply},    MeshFormat{".stl", write_stl, read_stl},
+    MeshFormat{".avs", write_avs, read_avs},    MeshFormat{".ucd", write_avs, read_avs},
+    MeshFormat{".mesh", write_mfem, read_mfem}, MeshFormat{".off", nullptr, read_off},
+    MeshFormat{".ts", nullptr, read_gocad},     MeshFormat{".ml", nullptr, read_gocad}};
 
 std::string extension_of(const std::string& path) {
   std::string extension = std::filesystem::path(path).extension().string();
