@@ -17,6 +17,7 @@
 #include "io/mesh/off_format.hpp"
 #include "io/mesh/ply_format.hpp"
 #include "io/mesh/stl_format.hpp"
+#include "io/mesh/vtkhdf_format.hpp"
 #include "io/mesh/vtu_reader.hpp"
 #include "io/mesh/vtu_writer.hpp"
 
@@ -26,7 +27,7 @@ namespace {
 struct MeshFormat {
   std::string_view extension;
   void (*write)(const std::string& path, const Mesh& mesh, const MeshWriteOptions& options);  // or nullptr
-  ReadCells (*read)(const std::string& path);
+  ReadCells (*read)(const std::string& path);                                                 // or nullptr
 };
 
 constexpr std::array kFormats = {
@@ -34,7 +35,8 @@ constexpr std::array kFormats = {
     MeshFormat{".obj", write_obj, read_obj},    MeshFormat{".inp", write_inp, read_inp},
     MeshFormat{".ply", write_ply, read_ply},    MeshFormat{".stl", write_stl, read_stl},
     MeshFormat{".avs", write_avs, read_avs},    MeshFormat{".ucd", write_avs, read_avs},
-    MeshFormat{".mesh", write_mfem, read_mfem}, MeshFormat{".off", nullptr, read_off},
+    MeshFormat{".mesh", write_mfem, read_mfem}, MeshFormat{".vtkhdf", write_vtkhdf, nullptr},
+    MeshFormat{".hdf", write_vtkhdf, nullptr},  MeshFormat{".off", nullptr, read_off},
     MeshFormat{".ts", nullptr, read_gocad},     MeshFormat{".ml", nullptr, read_gocad}};
 
 std::string extension_of(const std::string& path) {
@@ -68,23 +70,32 @@ const MeshFormat& written_format_of(const std::string& path) {
   return format;
 }
 
+const MeshFormat& read_format_of(const std::string& path) {
+  const MeshFormat& format = format_of(path);
+  if (format.read == nullptr)
+    throw Error(ErrorKind::kUsage, fmt::format("{}: {} is written and not read; read one of {}", path,
+                                               format.extension, readable_mesh_formats()));
+  return format;
+}
+
 }  // namespace
 
 void write_mesh(const std::string& path, const Mesh& mesh, const MeshWriteOptions& options) {
   written_format_of(path).write(path, mesh, options);
 }
 
-ReadCells read_cells(const std::string& path) { return format_of(path).read(path); }
+ReadCells read_cells(const std::string& path) { return read_format_of(path).read(path); }
 
 Mesh read_mesh(const std::string& path) { return make_mesh(path, read_cells(path)); }
 
-void check_readable_extension(const std::string& path) { static_cast<void>(format_of(path)); }
+void check_readable_extension(const std::string& path) { static_cast<void>(read_format_of(path)); }
 
 void check_writable_extension(const std::string& path) { static_cast<void>(written_format_of(path)); }
 
 std::string readable_mesh_formats() {
   std::vector<std::string_view> extensions;
-  for (const MeshFormat& format : kFormats) extensions.push_back(format.extension);
+  for (const MeshFormat& format : kFormats)
+    if (format.read != nullptr) extensions.push_back(format.extension);
   return list_of(extensions);
 }
 
@@ -97,8 +108,9 @@ std::string writable_mesh_formats() {
 
 bool is_mesh_file(const std::string& path) {
   const std::string extension = extension_of(path);
-  return std::any_of(kFormats.begin(), kFormats.end(),
-                     [&](const MeshFormat& format) { return format.extension == extension; });
+  return std::any_of(kFormats.begin(), kFormats.end(), [&](const MeshFormat& format) {
+    return format.read != nullptr && format.extension == extension;
+  });
 }
 
 }  // namespace quarry

@@ -137,12 +137,13 @@ VtuArray point_array(const Mesh& mesh, const LiveNumbering& numbering) {
           }};
 }
 
-std::vector<VtuArray> cell_arrays(const Mesh& mesh, const LiveNumbering& numbering) {
+std::vector<VtuArray> cell_arrays(const Mesh& mesh, const LiveNumbering& numbering, IndexWidth width) {
   const auto starts = std::make_shared<const CornerStarts>(mesh, numbering);
   const std::size_t faces = numbering.face_count();
   const std::uint64_t corners = starts->total() + 2 * numbering.edges().size();
-  const bool narrow = std::max<std::uint64_t>(corners, numbering.vertex_count()) <=
-                      static_cast<std::uint64_t>(std::numeric_limits<std::int32_t>::max());
+  const bool narrow = width == IndexWidth::kNarrow &&
+                      std::max<std::uint64_t>(corners, numbering.vertex_count()) <=
+                          static_cast<std::uint64_t>(std::numeric_limits<std::int32_t>::max());
   std::vector<VtuArray> arrays;
   arrays.push_back(narrow ? connectivity_array<std::int32_t>(mesh, numbering, starts)
                           : connectivity_array<std::int64_t>(mesh, numbering, starts));
@@ -158,11 +159,12 @@ std::vector<VtuArray> cell_arrays(const Mesh& mesh, const LiveNumbering& numberi
 
 }  // namespace
 
-VtuArrays make_vtu_arrays(const Mesh& mesh, const LiveNumbering& numbering, const MeshWriteOptions& options) {
+VtuArrays make_vtu_arrays(const Mesh& mesh, const LiveNumbering& numbering, const MeshWriteOptions& options,
+                          IndexWidth width) {
   const std::size_t faces = numbering.face_count();
   const std::size_t cells = faces + numbering.edges().size();
   const MeshFileTags tags(mesh);
-  VtuArrays arrays{point_array(mesh, numbering), cell_arrays(mesh, numbering), {}};
+  VtuArrays arrays{point_array(mesh, numbering), cell_arrays(mesh, numbering, width), {}};
   arrays.cell_data.push_back(scalar_array<std::int32_t>(
       "region", cells,
       [&numbering, tags, faces](std::size_t i) { return i < faces ? tags.region(numbering.face(i)) : -1; }));

@@ -1,0 +1,131 @@
+#!/usr/bin/env python3
+"""Meshes the section that ships with the repository into every format, and looks whether the readers of others find the
+same points, faces, lines and groups in it: meshio and h5py; Gmsh and VTK too, where they are installed.
+
+usage: mesh_in_readers.py QUARRY       prints a line for each reader and format, exits with 1 if any finds something else
+"""
+
+import json
+import shutil
+import subprocess
+import sys
+import tempfile
+from collections import Counter
+from pathlib import Path
+
+import h5py
+import meshio
+
+SECTION = Path(__file__).resolve().parent.parent / "data" / "demo_section.geojson"
+NAMES = {"line": "lines", "line3": "lines", "triangle": "triangles", "triangle6": "triangles", "quad": "quads",
+         "quad8": "quads", "quad9": "quads"}
+VTK_NAMES = {3: "lines", 21: "lines", 5: "triangles", 22: "triangles", 9: "quads", 23: "quads", 28: "quads"}
+
+
+def with_meshio(path):
+    mesh = meshio.read(path)
+    found = Counter(points=len(mesh.points))
+    for block in mesh.cells:
+        found[NAMES[block.type]] += len(block.data)
+    sets = set(mesh.cell_sets) | set(mesh.field_data)
+    found["regions"] = sum(name.startswith("region_") for name in sets)
+    found["line groups"] = len({name for name in sets | set(mesh.point_sets) if name.startswith("line_")})
+    return found
+
+
+def with_meshio_without_values(path):
+    """Its reader of AVS files stumbles over values of cells of several types, which it writes itself."""
+    lines = path.read_text().splitlines()
+    first = next(i for i, line in enumerate(lines) if not line.startswith("#"))
+    points, cells = (int(word) for word in lines[first].split()[:2])
+    plain = path.with_name("plain.avs")
+    plain.write_text("\n".join([f"{points} {cells} 0 0 0"] + lines[first + 1:first + 1 + points + cells]) + "\n")
+    return with_meshio(plain)
+
+
+def with_h5py(path):
+    with h5py.File(path) as file:
+        grid = file["VTKHDF"]
+        assert grid.attrs["Type"] == b"UnstructuredGrid" and list(grid.attrs["Version"]) == [1, 0]
+        found = Counter(VTK_NAMES[kind] for kind in grid["Types"][:])
+        found["points"] = len(grid["Points"])
+        found["regions"] = len(set(grid["CellData"]["region"][:]) - {-1})
+        return found
+
+
+def with_gmsh(path):
+    """Gmsh writes again what it has read."""
+    again = path.with_name("again.msh")
+    subprocess.run(["gmsh", path, "-0", "-format", "msh41", "-o", again], check=True, capture_output=True)
+    kinds = {1: "lines", 8: "lines", 2: "triangles", 9: "triangles", 3: "quads", 16: "quads", 10: "quads"}
+    lines, found = iter(again.read_text().splitlines()), Counter()
+    for line in lines:
+        if line == "$PhysicalNames":
+            names = [next(lines).split(maxsplit=2)[2].strip('"') for _ in range(int(next(lines)))]
+            found["regions"] = sum(name.startswith("region_") for name in names)
+            found["line groups"] = sum(name.startswith("line_") for name in names)
+        elif line == "$Nodes":
+            found["points"] = int(next(lines).split()[1])
+        elif line == "$Elements":
+            for _ in range(int(next(lines).split()[0])):
+                kind, count = (int(word) for word in next(lines).split()[2:])
+                found[kinds[kind]] += count
+                for _ in range(count):
+                    next(lines)
+    return found
+
+
+def with_vtk(path):
+    import vtk  # pylint: disable=import-outside-toplevel
+    reader = {".vtu": vtk.vtkXMLUnstructuredGridReader, ".vtkhdf": vtk.vtkHDFReader, ".avs": vtk.vtkAVSucdReader}[path.suffix]()
+    reader.SetFileName(str(path))
+    reader.Update()
+    grid = reader.GetOutput()
+    found = Counter(VTK_NAMES[grid.GetCellType(i)] for i in range(grid.GetNumberOfCells()))
+    regions = grid.GetCellData().GetArray("region")
+    found["points"] = grid.GetNumberOfPoints()
+    found["regions"] = len({regions.GetTuple1(i) for i in range(regions.GetNumberOfTuples())} - {-1})
+    return found
+
+
+def readers():
+    """Pairs of (extension, name of the reader, reader)."""
+    yield from [(".msh", "meshio", with_meshio), (".inp", "meshio", with_meshio),
+                (".avs", "meshio", with_meshio_without_values), (".vtkhdf", "h5py", with_h5py)]
+    if shutil.which("gmsh"):
+        yield ".msh", "gmsh", with_gmsh
+    else:
+        print("mesh_in_readers: there is no gmsh")
+    try:
+        __import__("vtk")
+        yield from [(extension, "vtk", with_vtk) for extension in (".vtu", ".vtkhdf", ".avs")]
+    except ImportError:
+        print("mesh_in_readers: there is no vtk")
+
+
+def main():
+    failures = 0
+    with tempfile.TemporaryDirectory() as folder:
+        for extension, name, read in readers():
+            for options in (["--size", "12"], ["--size", "12", "--elements", "mixed", "--mixed-quality", "0.6"]):
+                path, report = Path(folder) / f"section{extension}", Path(folder) / "report.json"
+                subprocess.run([sys.argv[1], "mesh", SECTION, "-o", path, "--report", report, "--quiet"] + options, check=True)
+                told = json.loads(report.read_text())["counts"]
+                wanted = {"points": told["vertices"], "quads": told["quads"], "triangles": told["triangles"],
+                          "lines": told["line_edges"], "regions": told["regions"]}
+                found = read(path)
+                # Lines are surfaces of a .inp, which meshio passes over, and sets of nodes; .avs files have no names.
+                missing = {".inp": ["lines"], ".avs": [] if name == "vtk" else ["regions"]}.get(extension, [])
+                wrong = {key: (found[key], value) for key, value in wanted.items()
+                         if key not in missing and found[key] != value}
+                if extension in (".msh", ".inp") and not found["line groups"]:
+                    wrong["line groups"] = (0, "some")
+                print(f"mesh_in_readers: {name} reads {extension}: {dict(found)}")
+                if wrong:
+                    print(f"FAILED: found and wanted {wrong}")
+                    failures += 1
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
