@@ -39,6 +39,7 @@ void group_edges(const LiveNumbering& numbering, const MeshFileTags& tags, Group
         grouped.edge_groups.back().kind != group.kind)
       grouped.edge_groups.push_back(group);
     grouped.edges.push_back(e);
+    grouped.edge_places.push_back(i);
     grouped.edge_groups.back().end = grouped.edges.size();
   }
 }

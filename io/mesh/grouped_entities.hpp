@@ -30,6 +30,7 @@ struct GroupedEntities {
   std::vector<FaceId> faces;
   std::vector<FaceGroup> face_groups;
   std::vector<EdgeId> edges;
+  std::vector<std::uint32_t> edge_places;  // of each of them in LiveNumbering::edges()
   std::vector<EdgeGroup> edge_groups;
 };
 

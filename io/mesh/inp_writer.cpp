@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "io/mesh/cell_nodes.hpp"
 #include "io/mesh/group_name.hpp"
 #include "io/mesh/grouped_entities.hpp"
 #include "io/mesh/inp_format.hpp"
@@ -11,6 +12,13 @@
 namespace quarry {
 namespace {
 
+// By the number of nodes.
+std::string inp_face_type(int nodes, bool planar) {
+  if (planar) return fmt::format("CPS{}", nodes);
+  if (nodes == 6) return "STRI65";
+  return nodes == 8 ? "S8R" : fmt::format("S{}", nodes);
+}
+
 class InpWriter {
  public:
   InpWriter(const std::string& path, const Mesh& mesh, const MeshWriteOptions& options)
@@ -18,6 +26,7 @@ class InpWriter {
         mesh_(mesh),
         options_(options),
         numbering_(mesh),
+        nodes_(mesh, numbering_, options.order),
         grouped_(group_entities(mesh, numbering_)),
         element_of_(mesh.face_slots()) {
     for (std::size_t i = 0; i < grouped_.faces.size(); ++i)
@@ -38,8 +47,8 @@ class InpWriter {
  private:
   void write_nodes() {
     file_.write("*NODE\n");
-    write_lines(file_, numbering_.vertex_count(), [&](TextLine line, std::size_t i) {
-      const Vec3 p = mesh_.point3(numbering_.vertex(i));
+    write_lines(file_, nodes_.count(), [&](TextLine line, std::size_t i) {
+      const Vec3 p = nodes_.point(i);
       line << i + 1 << ", " << p.x << ", " << p.y;
       if (!mesh_.planar()) line << ", " << p.z;
       line << "\n";
@@ -47,12 +56,13 @@ class InpWriter {
   }
 
   void write_faces(const FaceGroup& group) {
-    file_.write(fmt::format("*ELEMENT, TYPE={}{}, ELSET={}\n", mesh_.planar() ? "CPS" : "S", group.corners,
+    const int nodes = nodes_.face_count(grouped_.faces[group.begin]);
+    file_.write(fmt::format("*ELEMENT, TYPE={}, ELSET={}\n", inp_face_type(nodes, mesh_.planar()),
                             word_of(region_name(group.region, options_.names))));
     write_lines(file_, group.end - group.begin, [&](TextLine line, std::size_t i) {
       const FaceId f = grouped_.faces[group.begin + i];
       line << element_of_[f];
-      for (int k = 0; k < group.corners; ++k) line << ", " << numbering_.number(mesh_.corner(f, k)) + 1;
+      for (int k = 0; k < nodes; ++k) line << ", " << nodes_.face_node(f, k) + 1;
       line << "\n";
     });
   }
@@ -94,15 +104,15 @@ class InpWriter {
 
   // The nodes of each line, and of all of the boundary.
   void write_node_sets() {
-    std::vector<EdgeId> boundary;
+    std::vector<std::size_t> boundary;
     for (std::size_t i = 0; i < grouped_.edge_groups.size();) {
       const std::int32_t constraint = grouped_.edge_groups[i].constraint;
-      std::vector<EdgeId> edges;
+      std::vector<std::size_t> edges;
       for (; i < grouped_.edge_groups.size() && grouped_.edge_groups[i].constraint == constraint; ++i) {
         const EdgeGroup& group = grouped_.edge_groups[i];
         for (std::size_t k = group.begin; k < group.end; ++k) {
-          edges.push_back(grouped_.edges[k]);
-          if (group.kind == kOuterBoundary) boundary.push_back(grouped_.edges[k]);
+          edges.push_back(grouped_.edge_places[k]);
+          if (group.kind == kOuterBoundary) boundary.push_back(grouped_.edge_places[k]);
         }
       }
       if (constraint >= 0) write_node_set(word_of(line_name(constraint, options_.names)), edges);
@@ -110,11 +120,10 @@ class InpWriter {
     if (!boundary.empty()) write_node_set(std::string(kOuterBoundaryName), boundary);
   }
 
-  void write_node_set(const std::string& name, const std::vector<EdgeId>& edges) {
+  void write_node_set(const std::string& name, const std::vector<std::size_t>& edges) {
     std::vector<std::uint32_t> nodes;
-    for (const EdgeId e : edges)
-      for (const VertexId end : {mesh_.edge_ends(e).first, mesh_.edge_ends(e).second})
-        nodes.push_back(numbering_.number(end) + 1);
+    for (const std::size_t edge : edges)
+      for (int k = 0; k < nodes_.edge_count(); ++k) nodes.push_back(nodes_.edge_node(edge, k) + 1);
     std::sort(nodes.begin(), nodes.end());
     nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
     file_.write(fmt::format("*NSET, NSET={}\n", name));
@@ -129,6 +138,7 @@ class InpWriter {
   const Mesh& mesh_;
   const MeshWriteOptions& options_;
   LiveNumbering numbering_;
+  CellNodes nodes_;
   GroupedEntities grouped_;
   IdVector<FaceId, std::uint32_t> element_of_;
 };

@@ -25,6 +25,10 @@ struct GroupNames {
   std::map<std::int32_t, std::string> regions, lines;
 };
 
+// Nodes at corners alone; in the middle of edges too (6 a triangle, 8 a quad); in the middle of quads as well
+// (9).
+enum class ElementOrder { kLinear, kQuadratic, kBiquadratic };
+
 struct MeshWriteOptions {
   // Where the format has a place for them.
   std::vector<FieldText> fields = {};
@@ -33,6 +37,8 @@ struct MeshWriteOptions {
   std::span<const double> scaled_jacobian = {};
   // zlib, where the format knows it. The bytes do not depend on the number of threads.
   bool compress = false;
+  // Of a format that has such elements: see check_writable_order.
+  ElementOrder order = ElementOrder::kLinear;
 };
 
 // Values of the edge tag "kind".

@@ -28,16 +28,23 @@ struct MeshFormat {
   std::string_view extension;
   void (*write)(const std::string& path, const Mesh& mesh, const MeshWriteOptions& options);  // or nullptr
   ReadCells (*read)(const std::string& path);                                                 // or nullptr
+  ElementOrder highest_order = ElementOrder::kLinear;  // of the elements that are written
 };
 
-constexpr std::array kFormats = {
-    MeshFormat{".vtu", write_vtu, read_vtu},    MeshFormat{".msh", write_msh, read_msh},
-    MeshFormat{".obj", write_obj, read_obj},    MeshFormat{".inp", write_inp, read_inp},
-    MeshFormat{".ply", write_ply, read_ply},    MeshFormat{".stl", write_stl, read_stl},
-    MeshFormat{".avs", write_avs, read_avs},    MeshFormat{".ucd", write_avs, read_avs},
-    MeshFormat{".mesh", write_mfem, read_mfem}, MeshFormat{".vtkhdf", write_vtkhdf, nullptr},
-    MeshFormat{".hdf", write_vtkhdf, nullptr},  MeshFormat{".off", nullptr, read_off},
-    MeshFormat{".ts", nullptr, read_gocad},     MeshFormat{".ml", nullptr, read_gocad}};
+constexpr std::array kFormats = {MeshFormat{".vtu", write_vtu, read_vtu, ElementOrder::kBiquadratic},
+                                 MeshFormat{".msh", write_msh, read_msh, ElementOrder::kBiquadratic},
+                                 MeshFormat{".obj", write_obj, read_obj},
+                                 MeshFormat{".inp", write_inp, read_inp, ElementOrder::kQuadratic},
+                                 MeshFormat{".ply", write_ply, read_ply},
+                                 MeshFormat{".stl", write_stl, read_stl},
+                                 MeshFormat{".avs", write_avs, read_avs},
+                                 MeshFormat{".ucd", write_avs, read_avs},
+                                 MeshFormat{".mesh", write_mfem, read_mfem},
+                                 MeshFormat{".vtkhdf", write_vtkhdf, nullptr, ElementOrder::kBiquadratic},
+                                 MeshFormat{".hdf", write_vtkhdf, nullptr, ElementOrder::kBiquadratic},
+                                 MeshFormat{".off", nullptr, read_off},
+                                 MeshFormat{".ts", nullptr, read_gocad},
+                                 MeshFormat{".ml", nullptr, read_gocad}};
 
 std::string extension_of(const std::string& path) {
   std::string extension = std::filesystem::path(path).extension().string();
@@ -91,6 +98,16 @@ Mesh read_mesh(const std::string& path) { return make_mesh(path, read_cells(path
 void check_readable_extension(const std::string& path) { static_cast<void>(read_format_of(path)); }
 
 void check_writable_extension(const std::string& path) { static_cast<void>(written_format_of(path)); }
+
+void check_writable_order(const std::string& path, ElementOrder order) {
+  const MeshFormat& format = written_format_of(path);
+  if (order <= format.highest_order) return;
+  std::vector<std::string_view> extensions;
+  for (const MeshFormat& each : kFormats)
+    if (order <= each.highest_order) extensions.push_back(each.extension);
+  throw Error(ErrorKind::kUsage, fmt::format("{}: {} has no such elements of second order; write one of {}",
+                                             path, format.extension, list_of(extensions)));
+}
 
 std::string readable_mesh_formats() {
   std::vector<std::string_view> extensions;

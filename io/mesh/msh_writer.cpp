@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "io/mesh/cell_nodes.hpp"
 #include "io/mesh/group_name.hpp"
 #include "io/mesh/grouped_entities.hpp"
 #include "io/mesh/msh_format.hpp"
@@ -10,14 +11,32 @@
 namespace quarry {
 namespace {
 
-constexpr int kMshLine = 1;
-constexpr int kMshTriangle = 2;
-constexpr int kMshQuad = 3;
+// Element types by the number of nodes.
+int msh_face_type(int nodes) {
+  switch (nodes) {
+    case 3:
+      return 2;
+    case 4:
+      return 3;
+    case 6:
+      return 9;
+    case 8:
+      return 16;
+    default:
+      return 10;
+  }
+}
+
+int msh_line_type(int nodes) { return nodes == 2 ? 1 : 8; }
 
 class MshWriter {
  public:
-  MshWriter(const std::string& path, const Mesh& mesh)
-      : file_(path), mesh_(mesh), numbering_(mesh), grouped_(group_entities(mesh, numbering_)) {
+  MshWriter(const std::string& path, const Mesh& mesh, ElementOrder order)
+      : file_(path),
+        mesh_(mesh),
+        numbering_(mesh),
+        nodes_(mesh, numbering_, order),
+        grouped_(group_entities(mesh, numbering_)) {
     for (const FaceGroup& group : grouped_.face_groups)
       if (regions_.empty() || regions_.back() != group.region) regions_.push_back(group.region);
     for (const EdgeGroup& group : grouped_.edge_groups)
@@ -93,11 +112,11 @@ class MshWriter {
   }
 
   void write_nodes() {
-    const std::size_t count = numbering_.vertex_count();
+    const std::size_t count = nodes_.count();
     file_.write(fmt::format("$Nodes\n1 {0} 1 {0}\n2 1 0 {0}\n", count));
     write_lines(file_, count, [](TextLine line, std::size_t i) { line << i + 1 << "\n"; });
     write_lines(file_, count, [&](TextLine line, std::size_t i) {
-      const Vec3 p = mesh_.point3(numbering_.vertex(i));
+      const Vec3 p = nodes_.point(i);
       line << p.x << " " << p.y << " " << p.z << "\n";
     });
     file_.write("$EndNodes\n");
@@ -109,11 +128,13 @@ class MshWriter {
                             grouped_.edge_groups.size() + grouped_.face_groups.size(), count, count));
     for (std::size_t g = 0; g < grouped_.edge_groups.size(); ++g) {
       const EdgeGroup& group = grouped_.edge_groups[g];
-      file_.write(fmt::format("1 {} {} {}\n", g + 1, kMshLine, group.end - group.begin));
+      file_.write(
+          fmt::format("1 {} {} {}\n", g + 1, msh_line_type(nodes_.edge_count()), group.end - group.begin));
       write_lines(file_, group.end - group.begin, [&](TextLine line, std::size_t i) {
-        const auto [a, b] = mesh_.edge_ends(grouped_.edges[group.begin + i]);
-        line << group.begin + i + 1 << " " << numbering_.number(a) + 1 << " " << numbering_.number(b) + 1
-             << "\n";
+        line << group.begin + i + 1;
+        const std::size_t edge = grouped_.edge_places[group.begin + i];
+        for (int k = 0; k < nodes_.edge_count(); ++k) line << " " << nodes_.edge_node(edge, k) + 1;
+        line << "\n";
       });
     }
     for (const FaceGroup& group : grouped_.face_groups) write_faces(group);
@@ -121,12 +142,13 @@ class MshWriter {
   }
 
   void write_faces(const FaceGroup& group) {
-    file_.write(fmt::format("2 {} {} {}\n", surface_tag(group.region),
-                            group.corners == 4 ? kMshQuad : kMshTriangle, group.end - group.begin));
+    const int nodes = nodes_.face_count(grouped_.faces[group.begin]);
+    file_.write(fmt::format("2 {} {} {}\n", surface_tag(group.region), msh_face_type(nodes),
+                            group.end - group.begin));
     write_lines(file_, group.end - group.begin, [&](TextLine line, std::size_t i) {
       const FaceId f = grouped_.faces[group.begin + i];
       line << grouped_.edges.size() + group.begin + i + 1;
-      for (int k = 0; k < group.corners; ++k) line << " " << numbering_.number(mesh_.corner(f, k)) + 1;
+      for (int k = 0; k < nodes; ++k) line << " " << nodes_.face_node(f, k) + 1;
       line << "\n";
     });
   }
@@ -134,6 +156,7 @@ class MshWriter {
   AtomicFile file_;
   const Mesh& mesh_;
   LiveNumbering numbering_;
+  CellNodes nodes_;
   GroupedEntities grouped_;
   std::vector<std::int32_t> regions_;  // ascending
   std::vector<std::int32_t> lines_;    // ascending
@@ -142,7 +165,7 @@ class MshWriter {
 }  // namespace
 
 void write_msh(const std::string& path, const Mesh& mesh, const MeshWriteOptions& options) {
-  MshWriter(path, mesh).write(options);
+  MshWriter(path, mesh, options.order).write(options);
 }
 
 }  // namespace quarry

@@ -92,8 +92,7 @@ void add_output_options(CLI::App& command, MeshArguments& arguments) {
                   "a page with a view that turns, and the quality; needs no network")
       ->type_name("FILE.html")
       ->group(group);
-  command.add_flag("--compress", arguments.compress, "zlib in a .vtu: about half the bytes, slower to write")
-      ->group(group);
+  add_mesh_output_options(command, arguments.written, group);
   command
       .add_option("--require", arguments.require,
                   "exit code 6, and no mesh, unless it is met; the figures stand below")

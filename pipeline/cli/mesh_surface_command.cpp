@@ -110,13 +110,12 @@ void write_repaired(const std::string& path, const SurfaceResult& result) {
 void write_mesh_file(const MeshArguments& arguments, const SurfaceOptions& surface,
                      const SurfaceResult& result, const std::string& hash) {
   const std::vector<double> jacobians = scaled_jacobians(result.mesh);
-  MeshWriteOptions options;
+  MeshWriteOptions options = arguments.written.write_options();
   options.fields = {{"quarry_version", QUARRY_VERSION},
                     {"input_hash", hash},
                     {"options", option_text(resolved_options(surface, result))}};
   options.names = result.names;
   options.scaled_jacobian = jacobians;
-  options.compress = arguments.compress;
   write_mesh(arguments.output, result.mesh, options);
 }
 
@@ -141,7 +140,7 @@ void run_mesh_surface(MeshArguments& arguments) {
   const SurfaceOptions options = options_of(arguments);
   std::vector<std::string> files = options.inputs;
   files.insert(files.end(), options.lines.begin(), options.lines.end());
-  check_writable_extension(arguments.output);
+  arguments.written.check(arguments.output);
   if (!arguments.repaired.empty()) check_writable_extension(arguments.repaired);
   if (!arguments.picture.empty()) check_picture_extension(arguments.picture);
   if (!arguments.page.empty()) check_page_extension(arguments.page);

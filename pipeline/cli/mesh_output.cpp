@@ -1,0 +1,33 @@
+#include "pipeline/cli/mesh_output.hpp"
+
+#include "io/mesh/mesh_format.hpp"
+
+namespace quarry::cli {
+
+MeshWriteOptions MeshOutput::write_options() const {
+  MeshWriteOptions options;
+  options.compress = compress;
+  options.order = order == "2"        ? ElementOrder::kQuadratic
+                  : order == "2-full" ? ElementOrder::kBiquadratic
+                                      : ElementOrder::kLinear;
+  return options;
+}
+
+void MeshOutput::check(const std::string& path) const { check_writable_order(path, write_options().order); }
+
+void add_mesh_output_options(CLI::App& command, MeshOutput& output, const char* group) {
+  command
+      .add_option(
+          "--order", output.order,
+          "of the elements: 2 has a node in the middle of each edge too (8 a quadrilateral, 6 a triangle), "
+          "2-full one in the middle of each quadrilateral as well; default 1")
+      ->check(CLI::IsMember({"1", "2", "2-full"}).description(""))
+      ->type_name("1|2|2-full")
+      ->group(group);
+  command
+      .add_flag("--compress", output.compress,
+                "deflate in a .vtu or .vtkhdf: about half the bytes, slower to write")
+      ->group(group);
+}
+
+}  // namespace quarry::cli

@@ -1,0 +1,24 @@
+// How a mesh file is written: what the commands that write one have in common.
+#pragma once
+
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "io/mesh/mesh_file.hpp"
+
+namespace quarry::cli {
+
+struct MeshOutput {
+  std::string order = "1";
+  bool compress = false;
+
+  // Throws Error(kUsage) unless the format of the path can be written, with elements of that order.
+  void check(const std::string& path) const;
+  // The options that these words stand for; the rest is the caller's.
+  [[nodiscard]] MeshWriteOptions write_options() const;
+};
+
+void add_mesh_output_options(CLI::App& command, MeshOutput& output, const char* group);
+
+}  // namespace quarry::cli
