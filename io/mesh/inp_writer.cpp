@@ -77,8 +77,8 @@ class InpWriter {
   // first: the number of the next element. Returns it after those that were written.
   std::size_t write_edges(const EdgeGroup& group, std::size_t first) {
     const bool outer = group.constraint < 0 && group.kind == kOuterBoundary;
-    const std::string name =
-        outer ? std::string(kOuterBoundaryName) : word_of(line_name(group.constraint, options_.names));
+    const std::string name = outer ? std::string(kOuterBoundaryName)
+                                   : word_of(line_side_name(group.constraint, group.side, options_.names));
     std::vector<SideId> sides;
     std::vector<EdgeId> apart;
     for (std::size_t i = group.begin; i < group.end; ++i) {
@@ -106,16 +106,18 @@ class InpWriter {
   void write_node_sets() {
     std::vector<std::size_t> boundary;
     for (std::size_t i = 0; i < grouped_.edge_groups.size();) {
-      const std::int32_t constraint = grouped_.edge_groups[i].constraint;
+      const std::int32_t constraint = grouped_.edge_groups[i].constraint, side = grouped_.edge_groups[i].side;
       std::vector<std::size_t> edges;
-      for (; i < grouped_.edge_groups.size() && grouped_.edge_groups[i].constraint == constraint; ++i) {
+      for (; i < grouped_.edge_groups.size() && grouped_.edge_groups[i].constraint == constraint &&
+             grouped_.edge_groups[i].side == side;
+           ++i) {
         const EdgeGroup& group = grouped_.edge_groups[i];
         for (std::size_t k = group.begin; k < group.end; ++k) {
           edges.push_back(grouped_.edge_places[k]);
           if (group.kind == kOuterBoundary) boundary.push_back(grouped_.edge_places[k]);
         }
       }
-      if (constraint >= 0) write_node_set(word_of(line_name(constraint, options_.names)), edges);
+      if (constraint >= 0) write_node_set(word_of(line_side_name(constraint, side, options_.names)), edges);
     }
     if (!boundary.empty()) write_node_set(std::string(kOuterBoundaryName), boundary);
   }

@@ -45,6 +45,13 @@ struct MeshWriteOptions {
 inline constexpr std::int32_t kInteriorConstraint = 1;
 inline constexpr std::int32_t kOuterBoundary = 2;
 
+// The edge tag (int32) of a mesh that is split along its interior constraints: of the two edges in the place
+// of one, which have the same direction, kLeftSide for the one of the face on the left and kRightSide for the
+// other; 0 for edges in one piece.
+inline constexpr const char* kSideTag = "side";
+inline constexpr std::int32_t kLeftSide = 1;
+inline constexpr std::int32_t kRightSide = 2;
+
 // The tags of a finished mesh; a mesh that lacks one reads as if it had the plainest value everywhere.
 class MeshFileTags {
  public:
@@ -52,7 +59,8 @@ class MeshFileTags {
       : mesh_(&mesh),
         region_(mesh.find_tag<FaceId, std::int32_t>("region")),
         constraint_(mesh.find_tag<EdgeId, std::int32_t>("constraint")),
-        kind_(mesh.find_tag<EdgeId, std::int32_t>("kind")) {}
+        kind_(mesh.find_tag<EdgeId, std::int32_t>("kind")),
+        side_(mesh.find_tag<EdgeId, std::int32_t>(kSideTag)) {}
 
   // Number of the enclosed region; 0 without the tag.
   [[nodiscard]] std::int32_t region(FaceId f) const { return region_.valid() ? region_[f] : 0; }
@@ -60,6 +68,9 @@ class MeshFileTags {
   [[nodiscard]] std::int32_t constraint(EdgeId e) const { return constraint_.valid() ? constraint_[e] : -1; }
   // kOuterBoundary for an edge with one face, else kInteriorConstraint.
   [[nodiscard]] std::int32_t kind(EdgeId e) const { return kind_.valid() ? kind_[e] : find_kind(e); }
+
+  [[nodiscard]] bool split() const { return side_.valid(); }
+  [[nodiscard]] std::int32_t side(EdgeId e) const { return side_.valid() ? side_[e] : 0; }
 
  private:
   [[nodiscard]] std::int32_t find_kind(EdgeId e) const {
@@ -72,6 +83,7 @@ class MeshFileTags {
   Tag<FaceId, std::int32_t> region_;
   Tag<EdgeId, std::int32_t> constraint_;
   Tag<EdgeId, std::int32_t> kind_;
+  Tag<EdgeId, std::int32_t> side_;
 };
 
 }  // namespace quarry

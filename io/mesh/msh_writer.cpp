@@ -40,7 +40,7 @@ class MshWriter {
     for (const FaceGroup& group : grouped_.face_groups)
       if (regions_.empty() || regions_.back() != group.region) regions_.push_back(group.region);
     for (const EdgeGroup& group : grouped_.edge_groups)
-      if (lines_.empty() || lines_.back() != group.constraint) lines_.push_back(group.constraint);
+      if (lines_.empty() || lines_.back() != line_of(group)) lines_.push_back(line_of(group));
   }
 
   void write(const MeshWriteOptions& options) {
@@ -66,14 +66,19 @@ class MshWriter {
     file_.write(fmt::format("$PhysicalNames\n{}\n1 1 \"{}\"\n", 1 + lines_.size() + regions_.size(),
                             kOuterBoundaryName));
     for (std::size_t i = 0; i < lines_.size(); ++i)
-      file_.write(fmt::format("1 {} \"{}\"\n", i + 2, line_name(lines_[i], names)));
+      file_.write(
+          fmt::format("1 {} \"{}\"\n", i + 2, line_side_name(lines_[i].first, lines_[i].second, names)));
     for (std::size_t i = 0; i < regions_.size(); ++i)
       file_.write(fmt::format("2 {} \"{}\"\n", i + 1, region_name(regions_[i], names)));
     file_.write("$EndPhysicalNames\n");
   }
 
-  [[nodiscard]] std::size_t line_tag(std::int32_t constraint) const {
-    return static_cast<std::size_t>(std::lower_bound(lines_.begin(), lines_.end(), constraint) -
+  // A line, or one side of it: constraint and side.
+  using Line = std::pair<std::int32_t, std::int32_t>;
+  static Line line_of(const EdgeGroup& group) { return {group.constraint, group.side}; }
+
+  [[nodiscard]] std::size_t line_tag(const EdgeGroup& group) const {
+    return static_cast<std::size_t>(std::lower_bound(lines_.begin(), lines_.end(), line_of(group)) -
                                     lines_.begin()) +
            2;
   }
@@ -104,7 +109,7 @@ class MshWriter {
       const bool named = group.constraint >= 0 || !outer;
       file_.write(fmt::format("{} {} {}{}{} 0\n", i + 1, box,
                               static_cast<int>(outer) + static_cast<int>(named), outer ? " 1" : "",
-                              named ? fmt::format(" {}", line_tag(group.constraint)) : ""));
+                              named ? fmt::format(" {}", line_tag(group)) : ""));
     }
     for (std::size_t i = 0; i < regions_.size(); ++i)
       file_.write(fmt::format("{} {} 1 {} 0\n", i + 1, box, i + 1));
@@ -159,7 +164,7 @@ class MshWriter {
   CellNodes nodes_;
   GroupedEntities grouped_;
   std::vector<std::int32_t> regions_;  // ascending
-  std::vector<std::int32_t> lines_;    // ascending
+  std::vector<Line> lines_;            // ascending
 };
 
 }  // namespace

@@ -201,6 +201,11 @@ VtuArrays make_vtu_arrays(const Mesh& mesh, const LiveNumbering& numbering, cons
       scalar_array<std::int32_t>("kind", cells, [&numbering, tags, faces](std::size_t i) {
         return i < faces ? 0 : tags.kind(numbering.edges()[i - faces]);
       }));
+  if (tags.split())
+    arrays.cell_data.push_back(
+        scalar_array<std::int32_t>(kSideTag, cells, [&numbering, tags, faces](std::size_t i) {
+          return i < faces ? 0 : tags.side(numbering.edges()[i - faces]);
+        }));
   if (!options.scaled_jacobian.empty())
     arrays.cell_data.push_back(scalar_array<double>(
         "scaled_jacobian", cells, [&numbering, values = options.scaled_jacobian, faces](std::size_t i) {

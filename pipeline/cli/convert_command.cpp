@@ -25,7 +25,8 @@ void run(const ConvertArguments& arguments) {
   check_outputs({arguments.output}, {arguments.input});
   ReadCells cells = read_cells(arguments.input);
   const GroupNames names = cells.names;
-  const Mesh mesh = make_mesh(arguments.input, std::move(cells));
+  Mesh mesh = make_mesh(arguments.input, std::move(cells));
+  arguments.written.prepare(mesh);
   const std::vector<double> jacobians = scaled_jacobians(mesh);
   MeshWriteOptions options = arguments.written.write_options();
   options.fields = {{"quarry_version", QUARRY_VERSION}};

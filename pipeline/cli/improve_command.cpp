@@ -81,6 +81,7 @@ void write_job_report(const ImproveArguments& arguments, const ImproveResult& re
                                                {"page", arguments.page},
                                                {"compress", arguments.written.compress},
                                                {"order", arguments.written.order},
+                                               {"split-fractures", arguments.written.split_fractures},
                                                {"require", arguments.require},
                                                {"config", arguments.config}});
   write_report(arguments.report, report);
@@ -114,6 +115,7 @@ void run(ImproveArguments& arguments) {
   }
   StageClock clock(progress);
   clock.start("writing");
+  arguments.written.prepare(result.mesh);
   write_mesh_file(arguments, result, hash);
   if (!arguments.picture.empty()) write_picture(arguments.picture, result.mesh, PictureOptions());
   if (!arguments.page.empty()) write_mesh_page(arguments.page, result.mesh, quality, arguments.improve.input);

@@ -69,6 +69,7 @@ void add_running_options(const MeshArguments& arguments, JobReport& report) {
                                                {"page", arguments.page},
                                                {"compress", arguments.written.compress},
                                                {"order", arguments.written.order},
+                                               {"split-fractures", arguments.written.split_fractures},
                                                {"require", arguments.require},
                                                {"config", arguments.config}});
 }
@@ -119,6 +120,7 @@ void run(MeshArguments& arguments) {
     write_job_report(arguments, result, hash, quality);
     throw;
   }
+  arguments.written.prepare(result.mesh);
   write_mesh_file(arguments, result, hash);
   if (!arguments.picture.empty()) write_picture(arguments.picture, result.mesh, PictureOptions());
   if (!arguments.page.empty())

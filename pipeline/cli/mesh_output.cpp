@@ -1,6 +1,10 @@
 #include "pipeline/cli/mesh_output.hpp"
 
+#include <utility>
+
+#include "engine/base/log.hpp"
 #include "io/mesh/mesh_format.hpp"
+#include "pipeline/split/split_fractures.hpp"
 
 namespace quarry::cli {
 
@@ -15,6 +19,13 @@ MeshWriteOptions MeshOutput::write_options() const {
 
 void MeshOutput::check(const std::string& path) const { check_writable_order(path, write_options().order); }
 
+void MeshOutput::prepare(Mesh& mesh) const {
+  if (!split_fractures) return;
+  SplitReport report;
+  mesh = quarry::split_fractures(std::move(mesh), report);
+  log::info("split: {} edges of lines have become two, with {} more nodes", report.edges, report.new_nodes);
+}
+
 void add_mesh_output_options(CLI::App& command, MeshOutput& output, const char* group) {
   command
       .add_option(
@@ -23,6 +34,11 @@ void add_mesh_output_options(CLI::App& command, MeshOutput& output, const char* 
           "2-full one in the middle of each quadrilateral as well; default 1")
       ->check(CLI::IsMember({"1", "2", "2-full"}).description(""))
       ->type_name("1|2|2-full")
+      ->group(group);
+  command
+      .add_flag("--split-fractures", output.split_fractures,
+                "each side of an interior line has nodes of its own: lines have a left and a right side in "
+                "the file")
       ->group(group);
   command
       .add_flag("--compress", output.compress,

@@ -12,11 +12,14 @@ namespace quarry::cli {
 struct MeshOutput {
   std::string order = "1";
   bool compress = false;
+  bool split_fractures = false;
 
   // Throws Error(kUsage) unless the format of the path can be written, with elements of that order.
   void check(const std::string& path) const;
   // The options that these words stand for; the rest is the caller's.
   [[nodiscard]] MeshWriteOptions write_options() const;
+  // What is to be done to a finished mesh before it is written.
+  void prepare(Mesh& mesh) const;
 };
 
 void add_mesh_output_options(CLI::App& command, MeshOutput& output, const char* group);

@@ -52,6 +52,7 @@ void refuse_options_of_lines(const MeshArguments& arguments) {
   not_built(arguments.method != "deferred", "--method");
   not_built(arguments.quads != "cluster", "--quads matching");
   not_built(!arguments.size_field.empty(), "--size-field");
+  not_built(arguments.written.split_fractures, "--split-fractures");
   not_built(!section.irregular_price.empty(), "--irregular-price");
 }
 
