@@ -29,6 +29,9 @@ struct GroupNames {
 // (9).
 enum class ElementOrder { kLinear, kQuadratic, kBiquadratic };
 
+// Programs that want a format in a form of their own: OpenGeoSys (.vtu), MOOSE (.msh).
+enum class MeshConsumer { kAny, kOpenGeoSys, kMoose };
+
 struct MeshWriteOptions {
   // Where the format has a place for them.
   std::vector<FieldText> fields = {};
@@ -39,6 +42,7 @@ struct MeshWriteOptions {
   bool compress = false;
   // Of a format that has such elements: see check_writable_order.
   ElementOrder order = ElementOrder::kLinear;
+  MeshConsumer consumer = MeshConsumer::kAny;
 };
 
 // Values of the edge tag "kind".

@@ -109,6 +109,14 @@ void check_writable_order(const std::string& path, ElementOrder order) {
                                              path, format.extension, list_of(extensions)));
 }
 
+void check_writable_for(const std::string& path, MeshConsumer consumer) {
+  const std::string_view extension = written_format_of(path).extension;
+  if (consumer == MeshConsumer::kOpenGeoSys && extension != ".vtu")
+    throw Error(ErrorKind::kUsage, fmt::format("{}: OpenGeoSys reads .vtu files", path));
+  if (consumer == MeshConsumer::kMoose && extension != ".msh")
+    throw Error(ErrorKind::kUsage, fmt::format("{}: for MOOSE .msh files are written", path));
+}
+
 std::string readable_mesh_formats() {
   std::vector<std::string_view> extensions;
   for (const MeshFormat& format : kFormats)

@@ -29,6 +29,9 @@ void check_writable_extension(const std::string& path);
 // Throws Error(kUsage) unless write_mesh can write elements of that order in the format of the extension.
 void check_writable_order(const std::string& path, ElementOrder order);
 
+// Throws Error(kUsage) unless write_mesh writes a form for that program in the format of the extension.
+void check_writable_for(const std::string& path, MeshConsumer consumer);
+
 // ".vtu, .msh or .obj": the extensions that read_mesh, or write_mesh, knows.
 [[nodiscard]] std::string readable_mesh_formats();
 [[nodiscard]] std::string writable_mesh_formats();

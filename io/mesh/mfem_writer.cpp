@@ -1,10 +1,9 @@
 #include <algorithm>
-#include <limits>
 
 #include <fmt/format.h>
 
 #include "io/mesh/mfem_format.hpp"
-#include "io/mesh/numbering.hpp"
+#include "io/mesh/single_edges.hpp"
 #include "io/text_output.hpp"
 
 namespace quarry {
@@ -14,28 +13,13 @@ constexpr int kMfemSegment = 1;
 constexpr int kMfemTriangle = 2;
 constexpr int kMfemSquare = 3;
 
-// Each edge that is a side of a face once, with its smallest number.
-std::vector<EdgeId> boundary_elements(const Mesh& mesh, const LiveNumbering& numbering,
-                                      const MeshFileTags& tags) {
-  struct Item {
-    VertexId low, high;
-    std::int32_t constraint;
-    EdgeId edge;
-  };
-  std::vector<Item> items;
-  for (const EdgeId e : numbering.edges()) {
-    const auto [a, b] = mesh.edge_ends(e);
-    if (!mesh.find_side(a, b).valid() && !mesh.find_side(b, a).valid()) continue;
-    items.push_back({std::min(a, b), std::max(a, b), tags.constraint(e), e});
-  }
-  std::sort(items.begin(), items.end(), [](const Item& a, const Item& b) {
-    return std::tuple(a.low, a.high, a.constraint, a.edge) < std::tuple(b.low, b.high, b.constraint, b.edge);
-  });
+// Those that are a side of a face.
+std::vector<EdgeId> boundary_elements(const Mesh& mesh, const LiveNumbering& numbering) {
   std::vector<EdgeId> edges;
-  for (std::size_t i = 0; i < items.size(); ++i)
-    if (i == 0 || items[i].low != items[i - 1].low || items[i].high != items[i - 1].high)
-      edges.push_back(items[i].edge);
-  std::sort(edges.begin(), edges.end());
+  for (const std::uint32_t i : single_edges(mesh, numbering)) {
+    const auto [a, b] = mesh.edge_ends(numbering.edges()[i]);
+    if (mesh.find_side(a, b).valid() || mesh.find_side(b, a).valid()) edges.push_back(numbering.edges()[i]);
+  }
   return edges;
 }
 
@@ -58,7 +42,7 @@ void write_mfem(const std::string& path, const Mesh& mesh, const MeshWriteOption
     for (int k = 0; k < corners; ++k) line << " " << numbering.number(mesh.corner(f, k));
     line << "\n";
   });
-  const std::vector<EdgeId> edges = boundary_elements(mesh, numbering, tags);
+  const std::vector<EdgeId> edges = boundary_elements(mesh, numbering);
   file.write(fmt::format("\nboundary\n{}\n", edges.size()));
   write_lines(file, edges.size(), [&](TextLine line, std::size_t i) {
     const auto [a, b] = mesh.edge_ends(edges[i]);

@@ -18,7 +18,7 @@ namespace {
 // Items of an array that are made at a time, and those of a chunk where it is compressed: part of the output.
 constexpr std::size_t kBatchItems = std::size_t{1} << 20;
 constexpr std::size_t kChunkItems = std::size_t{1} << 16;
-constexpr unsigned kCompressionLevel = 3;
+constexpr unsigned kDeflateLevel = 3;
 
 // An object of the library, closed when it goes.
 class Handle {
@@ -145,7 +145,7 @@ class VtkhdfWriter {
       const hsize_t chunk[] = {kChunkItems, static_cast<hsize_t>(components)};
       check(H5Pset_chunk(properties, components > 1 ? 2 : 1, chunk));
       check(H5Pset_shuffle(properties));
-      check(H5Pset_deflate(properties, kCompressionLevel));
+      check(H5Pset_deflate(properties, kDeflateLevel));
     }
     return {held(H5Dcreate2(group, name, type, space, H5P_DEFAULT, properties, H5P_DEFAULT)), H5Dclose};
   }

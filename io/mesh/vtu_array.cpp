@@ -8,6 +8,7 @@
 
 #include "engine/parallel/parallel.hpp"
 #include "io/mesh/cell_nodes.hpp"
+#include "io/mesh/material_numbers.hpp"
 
 namespace quarry {
 namespace {
@@ -201,6 +202,12 @@ VtuArrays make_vtu_arrays(const Mesh& mesh, const LiveNumbering& numbering, cons
       scalar_array<std::int32_t>("kind", cells, [&numbering, tags, faces](std::size_t i) {
         return i < faces ? 0 : tags.kind(numbering.edges()[i - faces]);
       }));
+  if (options.consumer == MeshConsumer::kOpenGeoSys)
+    arrays.cell_data.push_back(scalar_array<std::int32_t>(
+        "MaterialIDs", cells,
+        [&numbering, materials = MaterialNumbers(mesh, numbering), faces](std::size_t i) {
+          return i < faces ? materials.of(numbering.face(i)) : materials.of(numbering.edges()[i - faces]);
+        }));
   if (tags.split())
     arrays.cell_data.push_back(
         scalar_array<std::int32_t>(kSideTag, cells, [&numbering, tags, faces](std::size_t i) {

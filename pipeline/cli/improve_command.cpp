@@ -81,6 +81,7 @@ void write_job_report(const ImproveArguments& arguments, const ImproveResult& re
                                                {"page", arguments.page},
                                                {"compress", arguments.written.compress},
                                                {"order", arguments.written.order},
+                                               {"for", arguments.written.consumer},
                                                {"split-fractures", arguments.written.split_fractures},
                                                {"require", arguments.require},
                                                {"config", arguments.config}});

@@ -69,6 +69,7 @@ void add_running_options(const MeshArguments& arguments, JobReport& report) {
                                                {"page", arguments.page},
                                                {"compress", arguments.written.compress},
                                                {"order", arguments.written.order},
+                                               {"for", arguments.written.consumer},
                                                {"split-fractures", arguments.written.split_fractures},
                                                {"require", arguments.require},
                                                {"config", arguments.config}});

@@ -14,10 +14,17 @@ MeshWriteOptions MeshOutput::write_options() const {
   options.order = order == "2"        ? ElementOrder::kQuadratic
                   : order == "2-full" ? ElementOrder::kBiquadratic
                                       : ElementOrder::kLinear;
+  options.consumer = consumer == "ogs"     ? MeshConsumer::kOpenGeoSys
+                     : consumer == "moose" ? MeshConsumer::kMoose
+                                           : MeshConsumer::kAny;
   return options;
 }
 
-void MeshOutput::check(const std::string& path) const { check_writable_order(path, write_options().order); }
+void MeshOutput::check(const std::string& path) const {
+  const MeshWriteOptions options = write_options();
+  check_writable_order(path, options.order);
+  check_writable_for(path, options.consumer);
+}
 
 void MeshOutput::prepare(Mesh& mesh) const {
   if (!split_fractures) return;
@@ -34,6 +41,14 @@ void add_mesh_output_options(CLI::App& command, MeshOutput& output, const char* 
           "2-full one in the middle of each quadrilateral as well; default 1")
       ->check(CLI::IsMember({"1", "2", "2-full"}).description(""))
       ->type_name("1|2|2-full")
+      ->group(group);
+  command
+      .add_option("--for", output.consumer,
+                  "ogs: a .vtu with MaterialIDs, in which each edge of an interior line is one cell and the "
+                  "boundary none; "
+                  "moose: a .msh with sidesets and blocks of lower dimension")
+      ->check(CLI::IsMember({"any", "ogs", "moose"}).description(""))
+      ->type_name("ogs|moose")
       ->group(group);
   command
       .add_flag("--split-fractures", output.split_fractures,

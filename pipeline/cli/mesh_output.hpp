@@ -10,11 +10,12 @@
 namespace quarry::cli {
 
 struct MeshOutput {
-  std::string order = "1";
+  std::string order = "1", consumer = "any";
   bool compress = false;
   bool split_fractures = false;
 
-  // Throws Error(kUsage) unless the format of the path can be written, with elements of that order.
+  // Throws Error(kUsage) unless the format of the path can be written, with elements of that order and for
+  // that program.
   void check(const std::string& path) const;
   // The options that these words stand for; the rest is the caller's.
   [[nodiscard]] MeshWriteOptions write_options() const;

@@ -125,6 +125,29 @@ def mesh(folder, extension, options):
                   "lines": told["line_edges"], "regions": told["regions"]}
 
 
+def for_others(folder):
+    """What is wrong with the files for OpenGeoSys and MOOSE, in the eyes of meshio."""
+    wrong = []
+    ogs = meshio.read(mesh(folder, ".vtu", ["--for", "ogs"])[0])
+    materials = {block.type: set(ids.ravel()) for block, ids in zip(ogs.cells, ogs.cell_data["MaterialIDs"])}
+    if materials["quad"] != set(range(len(materials["quad"]))) or min(materials["line"]) != len(materials["quad"]):
+        wrong.append(f"MaterialIDs {materials}")
+    moose = meshio.read(mesh(folder, ".msh", ["--for", "moose"])[0])
+    tags = [int(tag) for tag, _ in moose.field_data.values()]
+    if len(set(tags)) != len(tags):
+        wrong.append("a tag is there twice")
+    lines = Counter()
+    blocks = {int(tag) for name, (tag, _) in moose.field_data.items() if name.endswith("_lower_dimensional_block")}
+    for block, ids in zip(moose.cells, moose.cell_data["gmsh:physical"]):
+        if block.type == "line" and int(ids.ravel()[0]) in blocks:
+            lines["moose"] += len(block.data)
+    lines["ogs"] = sum(len(block.data) for block in ogs.cells if block.type == "line")
+    print(f"mesh_in_readers: line elements of fractures: {dict(lines)}")
+    if lines["moose"] != lines["ogs"] or not lines["ogs"]:
+        wrong.append("other line elements for one than for the other")
+    return wrong
+
+
 def differences(found, wanted, missing=()):
     return {key: (found[key], value) for key, value in wanted.items() if key not in missing and found[key] != value}
 
@@ -141,6 +164,9 @@ def main():
 
     with tempfile.TemporaryDirectory() as name_of_folder:
         folder = Path(name_of_folder)
+        for wrong in for_others(folder):
+            print(f"FAILED: {wrong}")
+            failures += 1
         for options in VARIANTS:
             order = options[options.index("--order") + 1] if "--order" in options else "1"
             path, told = mesh(folder, ".vtkhdf", options)
