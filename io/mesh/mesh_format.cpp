@@ -9,6 +9,7 @@
 
 #include "engine/base/error.hpp"
 #include "io/mesh/avs_format.hpp"
+#include "io/mesh/exodus_format.hpp"
 #include "io/mesh/gocad_format.hpp"
 #include "io/mesh/inp_format.hpp"
 #include "io/mesh/mfem_format.hpp"
@@ -42,6 +43,10 @@ constexpr std::array kFormats = {MeshFormat{".vtu", write_vtu, read_vtu, Element
                                  MeshFormat{".mesh", write_mfem, read_mfem},
                                  MeshFormat{".vtkhdf", write_vtkhdf, nullptr, ElementOrder::kBiquadratic},
                                  MeshFormat{".hdf", write_vtkhdf, nullptr, ElementOrder::kBiquadratic},
+#ifdef QUARRY_EXODUS
+                                 MeshFormat{".exo", write_exodus, nullptr, ElementOrder::kBiquadratic},
+                                 MeshFormat{".e", write_exodus, nullptr, ElementOrder::kBiquadratic},
+#endif
                                  MeshFormat{".off", nullptr, read_off},
                                  MeshFormat{".ts", nullptr, read_gocad},
                                  MeshFormat{".ml", nullptr, read_gocad}};
@@ -65,6 +70,12 @@ const MeshFormat& format_of(const std::string& path) {
   const std::string extension = extension_of(path);
   for (const MeshFormat& format : kFormats)
     if (format.extension == extension) return format;
+#ifndef QUARRY_EXODUS
+  if (extension == ".exo" || extension == ".e")
+    throw Error(
+        ErrorKind::kUsage,
+        fmt::format("{}: this quarry was built without Exodus II; build it with -DQUARRY_EXODUS=ON", path));
+#endif
   throw Error(ErrorKind::kUsage, fmt::format("{}: the mesh format \"{}\" is not known; use one of {}", path,
                                              extension, readable_mesh_formats()));
 }

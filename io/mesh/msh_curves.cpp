@@ -1,11 +1,9 @@
 #include "io/mesh/msh_curves.hpp"
 
-#include <algorithm>
-#include <map>
+#include <span>
 #include <utility>
 
 #include "io/mesh/group_name.hpp"
-#include "io/mesh/single_edges.hpp"
 
 namespace quarry {
 namespace {
@@ -42,32 +40,15 @@ MshCurves curves_by_line(const GroupedEntities& grouped, const GroupNames& names
   return result;
 }
 
-MshCurves curves_for_moose(const Mesh& mesh, const LiveNumbering& numbering, const GroupedEntities& grouped,
-                           const GroupNames& names) {
+MshCurves curves_for_moose(const FractureGroups& groups) {
   MshCurves result;
-  const MeshFileTags tags(mesh);
-  const auto add_curve = [&](std::string name, std::vector<std::uint32_t> edges) {
-    if (edges.empty()) return;
+  const auto add_curve = [&](std::string name, const std::vector<std::uint32_t>& edges) {
     result.names.push_back(std::move(name));
-    result.curves.push_back({{result.names.size()}, std::move(edges)});
+    result.curves.push_back({{result.names.size()}, edges});
   };
-  std::vector<std::uint32_t> boundary = single_edges(mesh, numbering);
-  std::erase_if(boundary, [&](std::uint32_t i) { return tags.kind(numbering.edges()[i]) != kOuterBoundary; });
-  add_curve(std::string(kOuterBoundaryName), std::move(boundary));
-  std::map<std::pair<std::int32_t, std::int32_t>, std::vector<std::uint32_t>> lines;
-  for (const EdgeGroup& group : grouped.edge_groups) {
-    if (group.constraint < 0 && group.kind == kOuterBoundary) continue;
-    std::vector<std::uint32_t>& line = lines[{group.constraint, group.side}];
-    const auto edges = edges_of(grouped, group);
-    line.insert(line.end(), edges.begin(), edges.end());
-  }
-  for (auto& [line, edges] : lines)
-    add_curve(line_side_name(line.first, line.second, names), std::move(edges));
-  std::map<std::int32_t, std::vector<std::uint32_t>> blocks;
-  for (const std::uint32_t i : fracture_edges(mesh, numbering))
-    blocks[tags.constraint(numbering.edges()[i])].push_back(i);
-  for (auto& [line, edges] : blocks)
-    add_curve(line_name(line, names) + "_lower_dimensional_block", std::move(edges));
+  for (const NamedEdges& set : groups.side_sets) add_curve(set.name, set.edges);
+  for (const NamedEdges& block : groups.blocks)
+    add_curve(block.name + "_lower_dimensional_block", block.edges);
   result.surface_offset = result.names.size();
   return result;
 }

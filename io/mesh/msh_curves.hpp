@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "io/mesh/fracture_groups.hpp"
 #include "io/mesh/grouped_entities.hpp"
 #include "io/mesh/mesh_file.hpp"
 
@@ -34,7 +35,6 @@ struct MshCurves {
 // As libMesh, and so MOOSE, reads them: a curve is in one group, and no tag is that of a surface too. The
 // outer boundary and each line become sidesets; each line is there again as "..._lower_dimensional_block",
 // which becomes a block of elements of its own: each fracture edge once.
-[[nodiscard]] MshCurves curves_for_moose(const Mesh& mesh, const LiveNumbering& numbering,
-                                         const GroupedEntities& grouped, const GroupNames& names);
+[[nodiscard]] MshCurves curves_for_moose(const FractureGroups& groups);
 
 }  // namespace quarry

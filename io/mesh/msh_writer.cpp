@@ -40,7 +40,7 @@ class MshWriter {
         nodes_(mesh, numbering_, options.order),
         grouped_(group_entities(mesh, numbering_)),
         lines_(options.consumer == MeshConsumer::kMoose
-                   ? curves_for_moose(mesh, numbering_, grouped_, options.names)
+                   ? curves_for_moose(fracture_groups(mesh, numbering_, grouped_, options.names))
                    : curves_by_line(grouped_, options.names)) {
     for (const FaceGroup& group : grouped_.face_groups)
       if (regions_.empty() || regions_.back() != group.region) regions_.push_back(group.region);
