@@ -60,9 +60,10 @@ void write_mesh_file(const ImproveArguments& arguments, const ImproveResult& res
                      const std::string& hash) {
   const std::vector<double> jacobians = scaled_jacobians(result.mesh);
   MeshWriteOptions options = arguments.written.write_options();
-  options.fields = {{"quarry_version", QUARRY_VERSION},
-                    {"input_hash", hash},
-                    {"options", option_text(resolved_options(arguments.improve, result))}};
+  options.fields = {
+      {"quarry_version", QUARRY_VERSION},
+      {"input_hash", hash},
+      {"options", option_text(resolved_options(arguments.improve, result)) + arguments.written.text()}};
   options.names = result.names;
   options.scaled_jacobian = jacobians;
   write_mesh(arguments.output, result.mesh, options);

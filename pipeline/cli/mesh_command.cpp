@@ -53,9 +53,10 @@ void check(MeshArguments& arguments) {
 void write_mesh_file(const MeshArguments& arguments, const SectionResult& result, const std::string& hash) {
   const std::vector<double> jacobians = scaled_jacobians(result.mesh);
   MeshWriteOptions options = arguments.written.write_options();
-  options.fields = {{"quarry_version", QUARRY_VERSION},
-                    {"input_hash", hash},
-                    {"options", option_text(resolved_options(arguments.section, result))}};
+  options.fields = {
+      {"quarry_version", QUARRY_VERSION},
+      {"input_hash", hash},
+      {"options", option_text(resolved_options(arguments.section, result)) + arguments.written.text()}};
   options.scaled_jacobian = jacobians;
   write_mesh(arguments.output, result.mesh, options);
 }

@@ -26,6 +26,14 @@ void MeshOutput::check(const std::string& path) const {
   check_writable_for(path, options.consumer);
 }
 
+std::string MeshOutput::text() const {
+  std::string text;
+  if (order != "1") text += " order=" + order;
+  if (consumer != "any") text += " for=" + consumer;
+  if (split_fractures) text += " split-fractures=1";
+  return text;
+}
+
 void MeshOutput::prepare(Mesh& mesh) const {
   if (!split_fractures) return;
   SplitReport report;

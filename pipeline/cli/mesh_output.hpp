@@ -19,6 +19,8 @@ struct MeshOutput {
   void check(const std::string& path) const;
   // The options that these words stand for; the rest is the caller's.
   [[nodiscard]] MeshWriteOptions write_options() const;
+  // What of it changes the mesh, where it is not the default: " order=2 split-fractures=1".
+  [[nodiscard]] std::string text() const;
   // What is to be done to a finished mesh before it is written.
   void prepare(Mesh& mesh) const;
 };

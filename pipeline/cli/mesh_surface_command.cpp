@@ -114,7 +114,7 @@ void write_mesh_file(const MeshArguments& arguments, const SurfaceOptions& surfa
   MeshWriteOptions options = arguments.written.write_options();
   options.fields = {{"quarry_version", QUARRY_VERSION},
                     {"input_hash", hash},
-                    {"options", option_text(resolved_options(surface, result))}};
+                    {"options", option_text(resolved_options(surface, result)) + arguments.written.text()}};
   options.names = result.names;
   options.scaled_jacobian = jacobians;
   write_mesh(arguments.output, result.mesh, options);

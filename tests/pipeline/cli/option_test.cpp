@@ -92,6 +92,29 @@ TEST(CommandLine, GenerateDrawsWhatMeshReads) {
   }
 }
 
+TEST(CommandLine, FormatsThatCannotHoldWhatIsAskedAreToldBeforeTheWork) {
+  expect_usage_error({"mesh", kDemoSection, "-o", "out.obj", "--size", "5", "--order", "2"}, "second order");
+  expect_usage_error({"mesh", kDemoSection, "-o", "out.inp", "--size", "5", "--order", "2-full"},
+                     "second order");
+  expect_usage_error({"mesh", kDemoSection, "-o", "out.vtu", "--size", "5", "--order", "3"}, "--order");
+  expect_usage_error({"mesh", kDemoSection, "-o", "out.vtu", "--size", "5", "--for", "moose"}, "out.vtu");
+  expect_usage_error({"convert", "in.vtu", "out.msh", "--for", "ogs"}, "out.msh");
+  expect_usage_error({"convert", "in.vtkhdf", "out.msh"}, "is written and not read");
+  expect_usage_error(
+      {"mesh", "tests/data/demo_horizon.obj", "-o", "out.vtu", "--size", "50", "--split-fractures"},
+      "--split-fractures");
+}
+
+TEST(CommandLine, WhatChangesTheFileStandsInIt) {
+  const TestFolder folder;
+  ASSERT_EQ(run_quarry({"mesh", kDemoSection, "-o", folder / "out.msh", "--size", "30", "--order", "2",
+                        "--split-fractures", "--quiet"})
+                .exit_code,
+            0);
+  const std::string text = read_text(folder / "out.msh");
+  EXPECT_NE(text.find("seed=0 order=2 split-fractures=1\n"), std::string::npos) << text.substr(0, 600);
+}
+
 TEST(CommandLine, UnknownOutputExtensionsAreToldBeforeTheWork) {
   expect_usage_error({"mesh", kDemoSection, "-o", "out.xyz", "--size", "5"}, "out.xyz");
   expect_usage_error({"mesh", kDemoSection, "-o", "out", "--size", "5"}, "out");
