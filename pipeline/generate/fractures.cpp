@@ -22,6 +22,7 @@ constexpr double kLargestKappa = 1e8;
 constexpr double kLargestRatio = 1e9;   // of the longest length to the shortest
 constexpr double kLongestInBoxes = 10;  // the longest fracture, in longer sides of the box
 constexpr double kMostMisses = 1000;    // drawn fractures for each one that meets the box
+constexpr double kFewFractures = 1000;  // before which nobody judges that
 constexpr std::size_t kBlock = 8192;    // fractures drawn at a time
 constexpr int kMostPieces = 64;
 constexpr double kBend = 0.15;  // standard deviation of the angle by which an arc turns, radians
@@ -234,7 +235,7 @@ GeneratedModel generate_fractures(const FractureOptions& options, const Progress
   for (std::uint64_t first = 0; !collector.done(); first += kBlock) {
     progress.throw_if_cancelled();
     progress.report("drawing", collector.share());
-    if (static_cast<double>(first) > kMostMisses * static_cast<double>(collector.count() + kBlock))
+    if (static_cast<double>(first) > kMostMisses * (kFewFractures + static_cast<double>(collector.count())))
       throw Error(ErrorKind::kBudget,
                   "nearly all fractures of these lengths miss the box; give a lower --lmax");
     parallel::for_each(
