@@ -1,10 +1,7 @@
 #include "bench/synthetic_network.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
-#include "engine/base/random.hpp"
 #include "engine/mesh/compact.hpp"
 #include "engine/mesh/constraint.hpp"
 #include "engine/mesh/domain.hpp"
@@ -14,42 +11,17 @@
 #include "kernels/deferred/deferred.hpp"
 #include "kernels/initial/crisscross.hpp"
 #include "kernels/linework/outline.hpp"
+#include "pipeline/generate/fractures.hpp"
 
 namespace quarry::bench {
-namespace {
-
-constexpr double kSide = 1000;
-constexpr Vec2 kCorner{466000, 6691000};
-constexpr int kBends = 4;
-
-// Lengths follow n(l) ~ l^-2.5, as those of fractures do; the shortest makes lines about their own length
-// apart.
-InputLine draw_line(std::uint64_t number, double shortest) {
-  const auto lot = [&](std::uint64_t stream) { return uniform01(stream, number); };
-  const double length = std::min(0.5 * kSide, shortest * std::pow(1 - lot(0), -1 / 1.5));
-  const double direction = (lot(1) < 0.6 ? 0.35 : 1.66) + 0.3 * (lot(2) - 0.5);
-  const Vec2 along{std::cos(direction), std::sin(direction)};
-  const Vec2 across{-along.y, along.x};
-  const Vec2 middle{kCorner.x + kSide * lot(3), kCorner.y + kSide * lot(4)};
-  InputLine line;
-  for (int i = 0; i <= kBends; ++i) {
-    const double t = static_cast<double>(i) / kBends - 0.5;
-    const double off = 0.03 * length * (lot(5 + static_cast<std::uint64_t>(i)) - 0.5);
-    const Vec2 p = middle + (t * length) * along + off * across;
-    line.points.push_back(
-        {std::clamp(p.x, kCorner.x, kCorner.x + kSide), std::clamp(p.y, kCorner.y, kCorner.y + kSide)});
-  }
-  return line;
-}
-
-}  // namespace
-
 LineSet draw_network(std::uint32_t lines) {
-  LineSet set;
-  set.files = {"drawn by lot"};
-  const double shortest = 0.7 * kSide / std::sqrt(static_cast<double>(lines));
-  for (std::uint32_t i = 0; i < lines; ++i) set.lines.push_back(draw_line(i, shortest));
-  return set;
+  constexpr Vec2 kCorner{466000, 6691000};
+  constexpr Vec2 kSides{1000, 1000};
+  FractureOptions options;
+  options.box = {kCorner, kCorner + kSides};
+  options.count = lines;
+  options.curved = true;
+  return generate_fractures(options, {}).lines;
 }
 
 CleanedLines clean_network(std::uint32_t lines, double size) {

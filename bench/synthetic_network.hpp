@@ -1,5 +1,5 @@
-// A fracture network drawn by lot for the benchmarks: lines of power-law lengths in two directions that
-// cross, nearly touch and end anywhere, as trace maps do.
+// The network that the benchmarks share: curved fractures of pipeline/generate, which cross, nearly touch and
+// end anywhere, as those of trace maps do.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace quarry::bench {
 
-// In a box of 1000 units, far from the origin as map coordinates are; the same for the same number of lines.
+// So many fractures in a box of 1000 units, far from the origin as map coordinates are.
 [[nodiscard]] LineSet draw_network(std::uint32_t lines);
 
 // The network cleaned for elements of the given size, within its box.

@@ -27,6 +27,9 @@ class AtomicFile {
   void commit();
 
   [[nodiscard]] const std::string& path() const { return path_; }
+  // Where the file lies before commit(), for libraries that write files by themselves: such a file is written
+  // by them alone.
+  [[nodiscard]] const std::string& temporary() const { return temporary_; }
   // Bytes written so far.
   [[nodiscard]] std::size_t size() const { return size_; }
 

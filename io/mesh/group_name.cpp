@@ -12,6 +12,7 @@ namespace {
 constexpr std::string_view kRegionPrefix = "region_";
 constexpr std::string_view kLinePrefix = "line_";
 constexpr std::string_view kUnnumbered = "unnumbered";
+constexpr std::string_view kLeftSuffix = "_left", kRightSuffix = "_right";
 // Stand-ins count down from here.
 constexpr std::int32_t kFirstStandIn = -2;
 
@@ -31,6 +32,13 @@ std::string line_name(std::int32_t constraint, const GroupNames& names) {
   return name_of(kLinePrefix, constraint, names.lines);
 }
 
+std::string line_side_name(std::int32_t constraint, std::int32_t side, const GroupNames& names) {
+  std::string name = line_name(constraint, names);
+  if (side == kLeftSide) name += kLeftSuffix;
+  if (side == kRightSide) name += kRightSuffix;
+  return name;
+}
+
 std::string word_of(std::string name) {
   for (char& c : name)
     if (std::isspace(static_cast<unsigned char>(c)) != 0 || c == ',' || c == '"') c = '_';
@@ -42,7 +50,9 @@ GroupNumbers line_numbers() { return GroupNumbers(kLinePrefix); }
 
 std::int32_t GroupNumbers::find(std::string_view name, bool named) {
   if (named && name.starts_with(prefix_)) {
-    const std::string_view digits = name.substr(prefix_.size());
+    std::string_view digits = name.substr(prefix_.size());
+    for (const std::string_view suffix : {kLeftSuffix, kRightSuffix})
+      if (digits.ends_with(suffix)) digits.remove_suffix(suffix.size());
     if (digits == kUnnumbered) return -1;
     std::int32_t value = 0;
     const auto result = std::from_chars(digits.data(), digits.data() + digits.size(), value);

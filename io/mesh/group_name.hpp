@@ -18,11 +18,15 @@ inline constexpr std::string_view kOuterBoundaryName = "outer_boundary";
 // "line_<n>", or the name that a file gave it; "line_unnumbered" for -1.
 [[nodiscard]] std::string line_name(std::int32_t constraint, const GroupNames& names);
 
+// The same for the edges of a line on one side of it, where the mesh is split: "line_<n>_left" or
+// "line_<n>_right".
+[[nodiscard]] std::string line_side_name(std::int32_t constraint, std::int32_t side, const GroupNames& names);
+
 // A name without blanks, commas and quotes, for formats in which those end it.
 [[nodiscard]] std::string word_of(std::string name);
 
-// The numbers of groups that are read: those that our names say; groups of other names get the smallest
-// numbers that are free once all are read, in order of appearance.
+// The numbers of groups that are read: those that our names say, also of one side of a line; groups of other
+// names get the smallest numbers that are free once all are read, in order of appearance.
 class GroupNumbers {
  public:
   explicit GroupNumbers(std::string_view prefix) : prefix_(prefix) {}

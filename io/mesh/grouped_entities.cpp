@@ -31,14 +31,19 @@ void group_faces(const Mesh& mesh, const LiveNumbering& numbering, const MeshFil
 
 void group_edges(const LiveNumbering& numbering, const MeshFileTags& tags, GroupedEntities& grouped) {
   std::vector<std::uint64_t> keys;
-  for (const EdgeId e : numbering.edges()) keys.push_back(key_of(tags.constraint(e), tags.kind(e)));
+  // Kinds are few and not below 0.
+  constexpr std::int32_t kKinds = 1 << 16;
+  for (const EdgeId e : numbering.edges())
+    keys.push_back(key_of(tags.constraint(e), tags.side(e) * kKinds + tags.kind(e)));
   for (const std::uint32_t i : parallel::sorted_order(std::move(keys))) {
     const EdgeId e = numbering.edges()[i];
-    const EdgeGroup group{tags.constraint(e), tags.kind(e), grouped.edges.size(), grouped.edges.size()};
+    const EdgeGroup group{tags.constraint(e), tags.kind(e), tags.side(e), grouped.edges.size(),
+                          grouped.edges.size()};
     if (grouped.edge_groups.empty() || grouped.edge_groups.back().constraint != group.constraint ||
-        grouped.edge_groups.back().kind != group.kind)
+        grouped.edge_groups.back().kind != group.kind || grouped.edge_groups.back().side != group.side)
       grouped.edge_groups.push_back(group);
     grouped.edges.push_back(e);
+    grouped.edge_places.push_back(i);
     grouped.edge_groups.back().end = grouped.edges.size();
   }
 }

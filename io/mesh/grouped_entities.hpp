@@ -17,19 +17,21 @@ struct FaceGroup {
   std::size_t end = 0;
 };
 
-// Neighbours of a sorted list that share constraint and kind.
+// Neighbours of a sorted list that share constraint, kind and side.
 struct EdgeGroup {
   std::int32_t constraint = -1;
   std::int32_t kind = kInteriorConstraint;
+  std::int32_t side = 0;
   std::size_t begin = 0;
   std::size_t end = 0;
 };
 
-// Faces by region, then triangles before quads; edges by constraint, then kind; ties in id order.
+// Faces by region, then triangles before quads; edges by constraint, then side, then kind; ties in id order.
 struct GroupedEntities {
   std::vector<FaceId> faces;
   std::vector<FaceGroup> face_groups;
   std::vector<EdgeId> edges;
+  std::vector<std::uint32_t> edge_places;  // of each of them in LiveNumbering::edges()
   std::vector<EdgeGroup> edge_groups;
 };
 

@@ -13,7 +13,8 @@ namespace quarry {
 
 // Faces as CPS3 and CPS4 (S3 and S4 in space) in element sets "region_<n>", edges as surfaces "line_<n>",
 // those of the boundary that have no number as "outer_boundary". An edge that is no side of a face is a T2D2
-// (T3D2) element. Throws Error(kOutput).
+// (T3D2) element. Node sets "line_<n>" and "outer_boundary" hold the nodes of each line and of the whole
+// boundary. Throws Error(kOutput).
 void write_inp(const std::string& path, const Mesh& mesh, const MeshWriteOptions& options);
 
 // A face's region is the element set of a section that holds it, else the first *ELSET that holds it and not

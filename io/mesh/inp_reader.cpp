@@ -164,17 +164,25 @@ class InpReader {
     if (!line.ends_with(',')) end_element();
   }
 
+  // The corners come first: three of six nodes, four of eight or nine. Solids have as many.
+  [[nodiscard]] std::size_t corners_of_second_order(std::size_t nodes) const {
+    const bool flat =
+        type_.starts_with("M3D") || (type_.find("3D") == std::string::npos && !type_.starts_with("SC"));
+    if (flat && nodes == 6) return 3;
+    return flat && (nodes == 8 || nodes == 9) ? 4 : nodes;
+  }
+
   void end_element() {
     if (element_.empty()) return;
     const std::int64_t number = element_[0];
-    const std::size_t count = element_.size() - 1;
+    const std::size_t nodes = element_.size() - 1;
+    const std::size_t count = corners_of_second_order(nodes);
     const bool line_of_three = count == 3 && (type_.starts_with("T") || type_.starts_with("B") ||
                                               type_.starts_with("PIPE") || type_ == "SAX2");
     if (count == 0 || count > 4 || line_of_three)
       fail(fmt::format(
-          "element {} of type {} has {} nodes: only lines, triangles and quads of first order are "
-          "read",
-          number, type_, count));
+          "element {} of type {} has {} nodes: only lines of first order, triangles and quads are read",
+          number, type_, nodes));
     FaceCorners corners;
     for (std::size_t k = 0; k < count; ++k) corners[k] = node(element_[k + 1]);
     element_.clear();

@@ -3,13 +3,21 @@
 
 #include <fmt/format.h>
 
+#include "io/mesh/cell_nodes.hpp"
 #include "io/mesh/group_name.hpp"
 #include "io/mesh/grouped_entities.hpp"
 #include "io/mesh/inp_format.hpp"
-#include "io/mesh/text_output.hpp"
+#include "io/text_output.hpp"
 
 namespace quarry {
 namespace {
+
+// By the number of nodes.
+std::string inp_face_type(int nodes, bool planar) {
+  if (planar) return fmt::format("CPS{}", nodes);
+  if (nodes == 6) return "STRI65";
+  return nodes == 8 ? "S8R" : fmt::format("S{}", nodes);
+}
 
 class InpWriter {
  public:
@@ -18,6 +26,7 @@ class InpWriter {
         mesh_(mesh),
         options_(options),
         numbering_(mesh),
+        nodes_(mesh, numbering_, options.order),
         grouped_(group_entities(mesh, numbering_)),
         element_of_(mesh.face_slots()) {
     for (std::size_t i = 0; i < grouped_.faces.size(); ++i)
@@ -31,14 +40,15 @@ class InpWriter {
     for (const FaceGroup& group : grouped_.face_groups) write_faces(group);
     std::size_t next = grouped_.faces.size() + 1;
     for (const EdgeGroup& group : grouped_.edge_groups) next = write_edges(group, next);
+    write_node_sets();
     file_.commit();
   }
 
  private:
   void write_nodes() {
     file_.write("*NODE\n");
-    write_lines(file_, numbering_.vertex_count(), [&](TextLine line, std::size_t i) {
-      const Vec3 p = mesh_.point3(numbering_.vertex(i));
+    write_lines(file_, nodes_.count(), [&](TextLine line, std::size_t i) {
+      const Vec3 p = nodes_.point(i);
       line << i + 1 << ", " << p.x << ", " << p.y;
       if (!mesh_.planar()) line << ", " << p.z;
       line << "\n";
@@ -46,12 +56,13 @@ class InpWriter {
   }
 
   void write_faces(const FaceGroup& group) {
-    file_.write(fmt::format("*ELEMENT, TYPE={}{}, ELSET={}\n", mesh_.planar() ? "CPS" : "S", group.corners,
+    const int nodes = nodes_.face_count(grouped_.faces[group.begin]);
+    file_.write(fmt::format("*ELEMENT, TYPE={}, ELSET={}\n", inp_face_type(nodes, mesh_.planar()),
                             word_of(region_name(group.region, options_.names))));
     write_lines(file_, group.end - group.begin, [&](TextLine line, std::size_t i) {
       const FaceId f = grouped_.faces[group.begin + i];
       line << element_of_[f];
-      for (int k = 0; k < group.corners; ++k) line << ", " << numbering_.number(mesh_.corner(f, k)) + 1;
+      for (int k = 0; k < nodes; ++k) line << ", " << nodes_.face_node(f, k) + 1;
       line << "\n";
     });
   }
@@ -66,8 +77,8 @@ class InpWriter {
   // first: the number of the next element. Returns it after those that were written.
   std::size_t write_edges(const EdgeGroup& group, std::size_t first) {
     const bool outer = group.constraint < 0 && group.kind == kOuterBoundary;
-    const std::string name =
-        outer ? std::string(kOuterBoundaryName) : word_of(line_name(group.constraint, options_.names));
+    const std::string name = outer ? std::string(kOuterBoundaryName)
+                                   : word_of(line_side_name(group.constraint, group.side, options_.names));
     std::vector<SideId> sides;
     std::vector<EdgeId> apart;
     for (std::size_t i = group.begin; i < group.end; ++i) {
@@ -91,10 +102,45 @@ class InpWriter {
     return first + apart.size();
   }
 
+  // The nodes of each line, and of all of the boundary.
+  void write_node_sets() {
+    std::vector<std::size_t> boundary;
+    for (std::size_t i = 0; i < grouped_.edge_groups.size();) {
+      const std::int32_t constraint = grouped_.edge_groups[i].constraint, side = grouped_.edge_groups[i].side;
+      std::vector<std::size_t> edges;
+      for (; i < grouped_.edge_groups.size() && grouped_.edge_groups[i].constraint == constraint &&
+             grouped_.edge_groups[i].side == side;
+           ++i) {
+        const EdgeGroup& group = grouped_.edge_groups[i];
+        for (std::size_t k = group.begin; k < group.end; ++k) {
+          edges.push_back(grouped_.edge_places[k]);
+          if (group.kind == kOuterBoundary) boundary.push_back(grouped_.edge_places[k]);
+        }
+      }
+      if (constraint >= 0) write_node_set(word_of(line_side_name(constraint, side, options_.names)), edges);
+    }
+    if (!boundary.empty()) write_node_set(std::string(kOuterBoundaryName), boundary);
+  }
+
+  void write_node_set(const std::string& name, const std::vector<std::size_t>& edges) {
+    std::vector<std::uint32_t> nodes;
+    for (const std::size_t edge : edges)
+      for (int k = 0; k < nodes_.edge_count(); ++k) nodes.push_back(nodes_.edge_node(edge, k) + 1);
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    file_.write(fmt::format("*NSET, NSET={}\n", name));
+    constexpr std::size_t kInLine = 16;
+    write_lines(file_, (nodes.size() + kInLine - 1) / kInLine, [&](TextLine line, std::size_t i) {
+      const std::size_t end = std::min(nodes.size(), (i + 1) * kInLine);
+      for (std::size_t k = i * kInLine; k < end; ++k) line << nodes[k] << (k + 1 < end ? ", " : ",\n");
+    });
+  }
+
   AtomicFile file_;
   const Mesh& mesh_;
   const MeshWriteOptions& options_;
   LiveNumbering numbering_;
+  CellNodes nodes_;
   GroupedEntities grouped_;
   IdVector<FaceId, std::uint32_t> element_of_;
 };

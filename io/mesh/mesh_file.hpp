@@ -25,6 +25,13 @@ struct GroupNames {
   std::map<std::int32_t, std::string> regions, lines;
 };
 
+// Nodes at corners alone; in the middle of edges too (6 a triangle, 8 a quad); in the middle of quads as well
+// (9).
+enum class ElementOrder { kLinear, kQuadratic, kBiquadratic };
+
+// Programs that want a format in a form of their own: OpenGeoSys (.vtu), MOOSE (.msh).
+enum class MeshConsumer { kAny, kOpenGeoSys, kMoose };
+
 struct MeshWriteOptions {
   // Where the format has a place for them.
   std::vector<FieldText> fields = {};
@@ -33,11 +40,21 @@ struct MeshWriteOptions {
   std::span<const double> scaled_jacobian = {};
   // zlib, where the format knows it. The bytes do not depend on the number of threads.
   bool compress = false;
+  // Of a format that has such elements: see check_writable_order.
+  ElementOrder order = ElementOrder::kLinear;
+  MeshConsumer consumer = MeshConsumer::kAny;
 };
 
 // Values of the edge tag "kind".
 inline constexpr std::int32_t kInteriorConstraint = 1;
 inline constexpr std::int32_t kOuterBoundary = 2;
+
+// The edge tag (int32) of a mesh that is split along its interior constraints: of the two edges in the place
+// of one, which have the same direction, kLeftSide for the one of the face on the left and kRightSide for the
+// other; 0 for edges in one piece.
+inline constexpr const char* kSideTag = "side";
+inline constexpr std::int32_t kLeftSide = 1;
+inline constexpr std::int32_t kRightSide = 2;
 
 // The tags of a finished mesh; a mesh that lacks one reads as if it had the plainest value everywhere.
 class MeshFileTags {
@@ -46,7 +63,8 @@ class MeshFileTags {
       : mesh_(&mesh),
         region_(mesh.find_tag<FaceId, std::int32_t>("region")),
         constraint_(mesh.find_tag<EdgeId, std::int32_t>("constraint")),
-        kind_(mesh.find_tag<EdgeId, std::int32_t>("kind")) {}
+        kind_(mesh.find_tag<EdgeId, std::int32_t>("kind")),
+        side_(mesh.find_tag<EdgeId, std::int32_t>(kSideTag)) {}
 
   // Number of the enclosed region; 0 without the tag.
   [[nodiscard]] std::int32_t region(FaceId f) const { return region_.valid() ? region_[f] : 0; }
@@ -54,6 +72,9 @@ class MeshFileTags {
   [[nodiscard]] std::int32_t constraint(EdgeId e) const { return constraint_.valid() ? constraint_[e] : -1; }
   // kOuterBoundary for an edge with one face, else kInteriorConstraint.
   [[nodiscard]] std::int32_t kind(EdgeId e) const { return kind_.valid() ? kind_[e] : find_kind(e); }
+
+  [[nodiscard]] bool split() const { return side_.valid(); }
+  [[nodiscard]] std::int32_t side(EdgeId e) const { return side_.valid() ? side_[e] : 0; }
 
  private:
   [[nodiscard]] std::int32_t find_kind(EdgeId e) const {
@@ -66,6 +87,7 @@ class MeshFileTags {
   Tag<FaceId, std::int32_t> region_;
   Tag<EdgeId, std::int32_t> constraint_;
   Tag<EdgeId, std::int32_t> kind_;
+  Tag<EdgeId, std::int32_t> side_;
 };
 
 }  // namespace quarry

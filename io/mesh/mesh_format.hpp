@@ -26,6 +26,12 @@ void write_mesh(const std::string& path, const Mesh& mesh, const MeshWriteOption
 void check_readable_extension(const std::string& path);
 void check_writable_extension(const std::string& path);
 
+// Throws Error(kUsage) unless write_mesh can write elements of that order in the format of the extension.
+void check_writable_order(const std::string& path, ElementOrder order);
+
+// Throws Error(kUsage) unless write_mesh writes a form for that program in the format of the extension.
+void check_writable_for(const std::string& path, MeshConsumer consumer);
+
 // ".vtu, .msh or .obj": the extensions that read_mesh, or write_mesh, knows.
 [[nodiscard]] std::string readable_mesh_formats();
 [[nodiscard]] std::string writable_mesh_formats();

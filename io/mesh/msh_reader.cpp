@@ -16,19 +16,31 @@
 namespace quarry {
 namespace {
 
-// Corners of an element type; 0 where it is not one of ours.
-constexpr int corner_count_of(int type) {
+// Corners of an element type, which are the first of its nodes; none where it is not one of ours.
+struct MshType {
+  int corners = 0, nodes = 0;
+};
+
+constexpr MshType msh_type(int type) {
   switch (type) {
     case 1:
-      return 2;  // line
+      return {2, 2};  // line
     case 2:
-      return 3;  // triangle
+      return {3, 3};  // triangle
     case 3:
-      return 4;  // quad
+      return {4, 4};  // quad
+    case 8:
+      return {2, 3};  // those of second order
+    case 9:
+      return {3, 6};
+    case 10:
+      return {4, 9};
+    case 16:
+      return {4, 8};
     case 15:
-      return 1;  // point
+      return {1, 1};  // point
     default:
-      return 0;
+      return {};
   }
 }
 
@@ -179,9 +191,11 @@ class MshReader {
   // numbers: of its groups, at least one; a face is in the first of them.
   void read_cell(int type, std::span<const std::int32_t> numbers) {
     FaceCorners corners;
-    const int count = corner_count_of(type);
-    for (int k = 0; k < count; ++k)
-      corners[static_cast<std::size_t>(k)] = corner(new_format_ ? size("a node tag") : integer("a node tag"));
+    const auto [count, nodes] = msh_type(type);
+    for (int k = 0; k < nodes; ++k) {
+      const VertexId node = corner(new_format_ ? size("a node tag") : integer("a node tag"));
+      if (k < count) corners[static_cast<std::size_t>(k)] = node;
+    }
     if (count >= 3) {
       cells_.faces.push_back(corners);
       cells_.regions.push_back(numbers.front());
@@ -194,11 +208,11 @@ class MshReader {
   }
 
   void check_type(int type) const {
-    if (corner_count_of(type) == 0)
-      cursor_.fail(
-          fmt::format("element type {} is not supported; only points, lines, triangles and quads of first "
-                      "order are",
-                      type));
+    if (msh_type(type).nodes == 0)
+      cursor_.fail(fmt::format(
+          "element type {} is not supported; only points, lines, triangles and quads of first and "
+          "second order are",
+          type));
   }
 
   // The region or line number that a group stands for.
@@ -244,7 +258,7 @@ class MshReader {
       const std::int64_t tag = integer("a tag");
       if (k == 0) group = tag;
     }
-    const int dimension = corner_count_of(type) > 2 ? 2 : 1;
+    const int dimension = msh_type(type).corners > 2 ? 2 : 1;
     const std::int32_t number = dimension == 1 && group == 0 ? -1 : number_of_group(dimension, group);
     read_cell(type, {&number, 1});
   }

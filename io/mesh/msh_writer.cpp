@@ -1,27 +1,49 @@
 #include <algorithm>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include "io/mesh/cell_nodes.hpp"
 #include "io/mesh/group_name.hpp"
 #include "io/mesh/grouped_entities.hpp"
+#include "io/mesh/msh_curves.hpp"
 #include "io/mesh/msh_format.hpp"
-#include "io/mesh/text_output.hpp"
+#include "io/text_output.hpp"
 
 namespace quarry {
 namespace {
 
-constexpr int kMshLine = 1;
-constexpr int kMshTriangle = 2;
-constexpr int kMshQuad = 3;
+// Element types by the number of nodes.
+int msh_face_type(int nodes) {
+  switch (nodes) {
+    case 3:
+      return 2;
+    case 4:
+      return 3;
+    case 6:
+      return 9;
+    case 8:
+      return 16;
+    default:
+      return 10;
+  }
+}
+
+int msh_line_type(int nodes) { return nodes == 2 ? 1 : 8; }
 
 class MshWriter {
  public:
-  MshWriter(const std::string& path, const Mesh& mesh)
-      : file_(path), mesh_(mesh), numbering_(mesh), grouped_(group_entities(mesh, numbering_)) {
+  MshWriter(const std::string& path, const Mesh& mesh, const MeshWriteOptions& options)
+      : file_(path),
+        mesh_(mesh),
+        numbering_(mesh),
+        nodes_(mesh, numbering_, options.order),
+        grouped_(group_entities(mesh, numbering_)),
+        lines_(options.consumer == MeshConsumer::kMoose
+                   ? curves_for_moose(fracture_groups(mesh, numbering_, grouped_, options.names))
+                   : curves_by_line(grouped_, options.names)) {
     for (const FaceGroup& group : grouped_.face_groups)
       if (regions_.empty() || regions_.back() != group.region) regions_.push_back(group.region);
-    for (const EdgeGroup& group : grouped_.edge_groups)
-      if (lines_.empty() || lines_.back() != group.constraint) lines_.push_back(group.constraint);
   }
 
   void write(const MeshWriteOptions& options) {
@@ -40,24 +62,17 @@ class MshWriter {
   }
 
  private:
-  // Physical tags: of curves, 1 is the outer boundary and a line has its index among lines_ + 2; of surfaces,
-  // the index among regions_ + 1. Entity tags are the index of the group + 1 for curves, and as physical for
-  // surfaces.
+  // Entity tags count from 1, of curves and of surfaces; the physical tag of a surface follows from it.
   void write_names(const GroupNames& names) {
-    file_.write(fmt::format("$PhysicalNames\n{}\n1 1 \"{}\"\n", 1 + lines_.size() + regions_.size(),
-                            kOuterBoundaryName));
-    for (std::size_t i = 0; i < lines_.size(); ++i)
-      file_.write(fmt::format("1 {} \"{}\"\n", i + 2, line_name(lines_[i], names)));
+    file_.write(fmt::format("$PhysicalNames\n{}\n", lines_.names.size() + regions_.size()));
+    for (std::size_t i = 0; i < lines_.names.size(); ++i)
+      file_.write(fmt::format("1 {} \"{}\"\n", i + 1, lines_.names[i]));
     for (std::size_t i = 0; i < regions_.size(); ++i)
-      file_.write(fmt::format("2 {} \"{}\"\n", i + 1, region_name(regions_[i], names)));
+      file_.write(
+          fmt::format("2 {} \"{}\"\n", lines_.surface_offset + i + 1, region_name(regions_[i], names)));
     file_.write("$EndPhysicalNames\n");
   }
 
-  [[nodiscard]] std::size_t line_tag(std::int32_t constraint) const {
-    return static_cast<std::size_t>(std::lower_bound(lines_.begin(), lines_.end(), constraint) -
-                                    lines_.begin()) +
-           2;
-  }
   [[nodiscard]] std::size_t surface_tag(std::int32_t region) const {
     return static_cast<std::size_t>(std::lower_bound(regions_.begin(), regions_.end(), region) -
                                     regions_.begin()) +
@@ -78,55 +93,56 @@ class MshWriter {
 
   void write_entities() {
     const std::string box = bounds();
-    file_.write(fmt::format("$Entities\n0 {} {} 0\n", grouped_.edge_groups.size(), regions_.size()));
-    for (std::size_t i = 0; i < grouped_.edge_groups.size(); ++i) {
-      const EdgeGroup& group = grouped_.edge_groups[i];
-      const bool outer = group.kind == kOuterBoundary;
-      const bool named = group.constraint >= 0 || !outer;
-      file_.write(fmt::format("{} {} {}{}{} 0\n", i + 1, box,
-                              static_cast<int>(outer) + static_cast<int>(named), outer ? " 1" : "",
-                              named ? fmt::format(" {}", line_tag(group.constraint)) : ""));
+    file_.write(fmt::format("$Entities\n0 {} {} 0\n", lines_.curves.size(), regions_.size()));
+    for (std::size_t i = 0; i < lines_.curves.size(); ++i) {
+      const std::vector<std::size_t>& groups = lines_.curves[i].groups;
+      file_.write(fmt::format("{} {} {}{}{} 0\n", i + 1, box, groups.size(), groups.empty() ? "" : " ",
+                              fmt::join(groups, " ")));
     }
     for (std::size_t i = 0; i < regions_.size(); ++i)
-      file_.write(fmt::format("{} {} 1 {} 0\n", i + 1, box, i + 1));
+      file_.write(fmt::format("{} {} 1 {} 0\n", i + 1, box, lines_.surface_offset + i + 1));
     file_.write("$EndEntities\n");
   }
 
   void write_nodes() {
-    const std::size_t count = numbering_.vertex_count();
+    const std::size_t count = nodes_.count();
     file_.write(fmt::format("$Nodes\n1 {0} 1 {0}\n2 1 0 {0}\n", count));
     write_lines(file_, count, [](TextLine line, std::size_t i) { line << i + 1 << "\n"; });
     write_lines(file_, count, [&](TextLine line, std::size_t i) {
-      const Vec3 p = mesh_.point3(numbering_.vertex(i));
+      const Vec3 p = nodes_.point(i);
       line << p.x << " " << p.y << " " << p.z << "\n";
     });
     file_.write("$EndNodes\n");
   }
 
   void write_elements() {
-    const std::size_t count = grouped_.edges.size() + grouped_.faces.size();
-    file_.write(fmt::format("$Elements\n{} {} 1 {}\n",
-                            grouped_.edge_groups.size() + grouped_.face_groups.size(), count, count));
-    for (std::size_t g = 0; g < grouped_.edge_groups.size(); ++g) {
-      const EdgeGroup& group = grouped_.edge_groups[g];
-      file_.write(fmt::format("1 {} {} {}\n", g + 1, kMshLine, group.end - group.begin));
-      write_lines(file_, group.end - group.begin, [&](TextLine line, std::size_t i) {
-        const auto [a, b] = mesh_.edge_ends(grouped_.edges[group.begin + i]);
-        line << group.begin + i + 1 << " " << numbering_.number(a) + 1 << " " << numbering_.number(b) + 1
-             << "\n";
+    const std::size_t lines = lines_.edge_count(), count = lines + grouped_.faces.size();
+    file_.write(fmt::format("$Elements\n{} {} 1 {}\n", lines_.curves.size() + grouped_.face_groups.size(),
+                            count, count));
+    std::size_t first = 1;
+    for (std::size_t g = 0; g < lines_.curves.size(); ++g) {
+      const std::vector<std::uint32_t>& edges = lines_.curves[g].edges;
+      file_.write(fmt::format("1 {} {} {}\n", g + 1, msh_line_type(nodes_.edge_count()), edges.size()));
+      write_lines(file_, edges.size(), [&](TextLine line, std::size_t i) {
+        line << first + i;
+        for (int k = 0; k < nodes_.edge_count(); ++k) line << " " << nodes_.edge_node(edges[i], k) + 1;
+        line << "\n";
       });
+      first += edges.size();
     }
-    for (const FaceGroup& group : grouped_.face_groups) write_faces(group);
+    for (const FaceGroup& group : grouped_.face_groups) write_faces(group, lines);
     file_.write("$EndElements\n");
   }
 
-  void write_faces(const FaceGroup& group) {
-    file_.write(fmt::format("2 {} {} {}\n", surface_tag(group.region),
-                            group.corners == 4 ? kMshQuad : kMshTriangle, group.end - group.begin));
+  // lines: elements before the faces.
+  void write_faces(const FaceGroup& group, std::size_t lines) {
+    const int nodes = nodes_.face_count(grouped_.faces[group.begin]);
+    file_.write(fmt::format("2 {} {} {}\n", surface_tag(group.region), msh_face_type(nodes),
+                            group.end - group.begin));
     write_lines(file_, group.end - group.begin, [&](TextLine line, std::size_t i) {
       const FaceId f = grouped_.faces[group.begin + i];
-      line << grouped_.edges.size() + group.begin + i + 1;
-      for (int k = 0; k < group.corners; ++k) line << " " << numbering_.number(mesh_.corner(f, k)) + 1;
+      line << lines + group.begin + i + 1;
+      for (int k = 0; k < nodes; ++k) line << " " << nodes_.face_node(f, k) + 1;
       line << "\n";
     });
   }
@@ -134,15 +150,16 @@ class MshWriter {
   AtomicFile file_;
   const Mesh& mesh_;
   LiveNumbering numbering_;
+  CellNodes nodes_;
   GroupedEntities grouped_;
+  MshCurves lines_;
   std::vector<std::int32_t> regions_;  // ascending
-  std::vector<std::int32_t> lines_;    // ascending
 };
 
 }  // namespace
 
 void write_msh(const std::string& path, const Mesh& mesh, const MeshWriteOptions& options) {
-  MshWriter(path, mesh).write(options);
+  MshWriter(path, mesh, options).write(options);
 }
 
 }  // namespace quarry

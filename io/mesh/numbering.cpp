@@ -63,4 +63,10 @@ LiveNumbering::LiveNumbering(const Mesh& mesh)
   }
 }
 
+void LiveNumbering::keep_edges(const std::vector<std::uint32_t>& places) {
+  std::vector<EdgeId> kept;
+  for (const std::uint32_t place : places) kept.push_back(edges_[place]);
+  edges_ = std::move(kept);
+}
+
 }  // namespace quarry

@@ -18,6 +18,8 @@ class LiveNumbering {
   [[nodiscard]] std::size_t face_count() const { return face_count_; }
   // Edges whose ends are alive.
   [[nodiscard]] const std::vector<EdgeId>& edges() const { return edges_; }
+  // Leaves out all edges but those at the given places, ascending.
+  void keep_edges(const std::vector<std::uint32_t>& places);
 
   [[nodiscard]] VertexId vertex(std::size_t number) const {
     return vertices_.empty() ? VertexId(number) : VertexId(vertices_[number]);

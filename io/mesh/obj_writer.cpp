@@ -3,7 +3,7 @@
 #include "io/mesh/group_name.hpp"
 #include "io/mesh/grouped_entities.hpp"
 #include "io/mesh/obj_format.hpp"
-#include "io/mesh/text_output.hpp"
+#include "io/text_output.hpp"
 
 namespace quarry {
 namespace {

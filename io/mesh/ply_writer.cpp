@@ -4,7 +4,7 @@
 
 #include "io/mesh/numbering.hpp"
 #include "io/mesh/ply_format.hpp"
-#include "io/mesh/text_output.hpp"
+#include "io/text_output.hpp"
 
 namespace quarry {
 namespace {

@@ -8,7 +8,7 @@
 #include "engine/base/error.hpp"
 #include "io/mesh/numbering.hpp"
 #include "io/mesh/stl_format.hpp"
-#include "io/mesh/text_output.hpp"
+#include "io/text_output.hpp"
 #include "io/text_parts.hpp"
 
 namespace quarry {

@@ -28,8 +28,12 @@ struct VtuArrays {
   std::vector<VtuArray> cell_data;
 };
 
+// Of connectivity and offsets: kNarrow takes 32 bits where they suffice.
+enum class IndexWidth { kNarrow, kWide };
+
 // The arrays refer to mesh, numbering and options, which must outlive them.
 [[nodiscard]] VtuArrays make_vtu_arrays(const Mesh& mesh, const LiveNumbering& numbering,
-                                        const MeshWriteOptions& options);
+                                        const MeshWriteOptions& options,
+                                        IndexWidth width = IndexWidth::kNarrow);
 
 }  // namespace quarry

@@ -1,5 +1,8 @@
 #include "io/mesh/vtu_reader.hpp"
 
+#include <array>
+#include <span>
+
 #include <fmt/format.h>
 
 #include "engine/base/error.hpp"
@@ -115,6 +118,15 @@ class VtuReader {
     constexpr std::int64_t kVertex = 1, kPolyVertex = 2, kLine = 3, kPolyLine = 4, kTriangle = 5,
                            kPolygon = 7, kPixel = 8, kQuad = 9;
     if (type == kVertex || type == kPolyVertex) return;
+    // Of elements of second order the corners, which come first.
+    constexpr std::array<std::array<std::int64_t, 4>, 4> kSecondOrder = {
+        {{21, 3, kLine, 2}, {22, 6, kTriangle, 3}, {23, 8, kQuad, 4}, {28, 9, kQuad, 4}}};
+    for (const auto& [second, nodes, first, count] : kSecondOrder)
+      if (type == second && std::ssize(corners) == nodes) {
+        type = first;
+        corners = corners.first(static_cast<std::size_t>(count));
+        break;
+      }
     const std::size_t count = corners.size();
     if ((type == kLine && count == 2) || (type == kPolyLine && count >= 2))
       return add_lines(cell, corners, values);

@@ -11,6 +11,7 @@
 #include "engine/base/error.hpp"
 #include "engine/parallel/parallel.hpp"
 #include "io/atomic_file.hpp"
+#include "io/mesh/single_edges.hpp"
 #include "io/mesh/vtu_array.hpp"
 #include "io/xml_text.hpp"
 
@@ -136,11 +137,9 @@ void write_compressed(AtomicFile& file, const VtuArray& array) {
   file.overwrite(table_at, std::as_bytes(std::span(table)));
 }
 
-}  // namespace
-
-void write_vtu(const std::string& path, const Mesh& mesh, const MeshWriteOptions& options) {
+void write_numbered(const std::string& path, const Mesh& mesh, const LiveNumbering& numbering,
+                    const MeshWriteOptions& options) {
   AtomicFile file(path);
-  const LiveNumbering numbering(mesh);
   const VtuArrays arrays = make_vtu_arrays(mesh, numbering, options);
   const std::vector<const VtuArray*> order = in_file_order(arrays);
   std::vector<std::uint64_t> offsets(order.size(), 0);
@@ -157,6 +156,19 @@ void write_vtu(const std::string& path, const Mesh& mesh, const MeshWriteOptions
   const std::string header = header_text(arrays, options, offsets);
   file.overwrite(0, std::as_bytes(std::span(header.data(), header.size())));
   file.commit();
+}
+
+}  // namespace
+
+void write_vtu(const std::string& path, const Mesh& mesh, const MeshWriteOptions& options) {
+  LiveNumbering numbering(mesh);
+  if (options.consumer != MeshConsumer::kOpenGeoSys) return write_numbered(path, mesh, numbering, options);
+  // OpenGeoSys takes each line cell for a part of a fracture, and its tools know no field data that are
+  // texts.
+  numbering.keep_edges(fracture_edges(mesh, numbering));
+  MeshWriteOptions plain = options;
+  plain.fields.clear();
+  write_numbered(path, mesh, numbering, plain);
 }
 
 }  // namespace quarry

@@ -7,6 +7,7 @@
 #include "kernels/quality/face.hpp"
 #include "pipeline/cli/commands.hpp"
 #include "pipeline/cli/common_arguments.hpp"
+#include "pipeline/cli/mesh_output.hpp"
 #include "pipeline/cli/outputs.hpp"
 
 namespace quarry::cli {
@@ -15,22 +16,22 @@ namespace {
 struct ConvertArguments {
   CommonArguments common;
   std::string input, output;
-  bool compress = false;
+  MeshOutput written;
 };
 
 void run(const ConvertArguments& arguments) {
   check_readable_extension(arguments.input);
-  check_writable_extension(arguments.output);
+  arguments.written.check(arguments.output);
   check_outputs({arguments.output}, {arguments.input});
   ReadCells cells = read_cells(arguments.input);
   const GroupNames names = cells.names;
-  const Mesh mesh = make_mesh(arguments.input, std::move(cells));
+  Mesh mesh = make_mesh(arguments.input, std::move(cells));
+  arguments.written.prepare(mesh);
   const std::vector<double> jacobians = scaled_jacobians(mesh);
-  MeshWriteOptions options;
+  MeshWriteOptions options = arguments.written.write_options();
   options.fields = {{"quarry_version", QUARRY_VERSION}};
   options.names = names;
   options.scaled_jacobian = jacobians;
-  options.compress = arguments.compress;
   write_mesh(arguments.output, mesh, options);
   log::info("wrote {}", arguments.output);
 }
@@ -46,7 +47,7 @@ void add_convert_command(CLI::App& program) {
   command->add_option("output", arguments->output, "the mesh to write: " + writable_mesh_formats())
       ->required()
       ->type_name("OUT");
-  command->add_flag("--compress", arguments->compress, "zlib in a .vtu");
+  add_mesh_output_options(*command, arguments->written, "Output");
   add_common_options(*command, arguments->common);
   command->callback([arguments] { run_job(arguments->common, [&] { run(*arguments); }); });
 }

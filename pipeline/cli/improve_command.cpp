@@ -18,6 +18,7 @@
 #include "pipeline/cli/config_file.hpp"
 #include "pipeline/cli/demands.hpp"
 #include "pipeline/cli/irregular_price.hpp"
+#include "pipeline/cli/mesh_output.hpp"
 #include "pipeline/cli/mixed_quality.hpp"
 #include "pipeline/cli/outputs.hpp"
 #include "pipeline/cli/page_output.hpp"
@@ -36,7 +37,7 @@ struct ImproveArguments {
   std::string cleanup = "full", elements = "same";
   std::optional<double> mixed_quality;
   std::vector<std::string> require;
-  bool compress = false;
+  MeshOutput written;
 };
 
 void check(ImproveArguments& arguments) {
@@ -44,7 +45,7 @@ void check(ImproveArguments& arguments) {
     throw Error(ErrorKind::kUsage, "no mesh is given; see quarry improve --help");
   if (arguments.output.empty()) throw Error(ErrorKind::kUsage, "no output is given: name it with -o OUT.vtu");
   check_readable_extension(arguments.improve.input);
-  check_writable_extension(arguments.output);
+  arguments.written.check(arguments.output);
   if (!arguments.picture.empty()) check_picture_extension(arguments.picture);
   if (!arguments.page.empty()) check_page_extension(arguments.page);
   arguments.improve.cleanup = clean_up_level_of(arguments.cleanup);
@@ -58,13 +59,13 @@ void check(ImproveArguments& arguments) {
 void write_mesh_file(const ImproveArguments& arguments, const ImproveResult& result,
                      const std::string& hash) {
   const std::vector<double> jacobians = scaled_jacobians(result.mesh);
-  MeshWriteOptions options;
-  options.fields = {{"quarry_version", QUARRY_VERSION},
-                    {"input_hash", hash},
-                    {"options", option_text(resolved_options(arguments.improve, result))}};
+  MeshWriteOptions options = arguments.written.write_options();
+  options.fields = {
+      {"quarry_version", QUARRY_VERSION},
+      {"input_hash", hash},
+      {"options", option_text(resolved_options(arguments.improve, result)) + arguments.written.text()}};
   options.names = result.names;
   options.scaled_jacobian = jacobians;
-  options.compress = arguments.compress;
   write_mesh(arguments.output, result.mesh, options);
 }
 
@@ -79,7 +80,10 @@ void write_job_report(const ImproveArguments& arguments, const ImproveResult& re
                                                {"report", arguments.report},
                                                {"picture", arguments.picture},
                                                {"page", arguments.page},
-                                               {"compress", arguments.compress},
+                                               {"compress", arguments.written.compress},
+                                               {"order", arguments.written.order},
+                                               {"for", arguments.written.consumer},
+                                               {"split-fractures", arguments.written.split_fractures},
                                                {"require", arguments.require},
                                                {"config", arguments.config}});
   write_report(arguments.report, report);
@@ -113,6 +117,7 @@ void run(ImproveArguments& arguments) {
   }
   StageClock clock(progress);
   clock.start("writing");
+  arguments.written.prepare(result.mesh);
   write_mesh_file(arguments, result, hash);
   if (!arguments.picture.empty()) write_picture(arguments.picture, result.mesh, PictureOptions());
   if (!arguments.page.empty()) write_mesh_page(arguments.page, result.mesh, quality, arguments.improve.input);
@@ -155,8 +160,7 @@ void add_options(CLI::App& command, ImproveArguments& arguments) {
          "a drawing of the mesh with its lines on top");
   option("--page", arguments.page, "FILE.html", output,
          "a page with a view that turns, and the quality; needs no network");
-  command.add_flag("--compress", arguments.compress, "zlib in a .vtu: about half the bytes, slower to write")
-      ->group(output);
+  add_mesh_output_options(command, arguments.written, output);
   option("--require", arguments.require, "FIGURE=LIMIT", output,
          "exit code 6, and no mesh, unless it is met; the figures stand below")
       ->delimiter(',')

@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <exception>
 #include <new>
+#include <span>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -34,26 +36,33 @@ void add_commands(CLI::App& program) {
   add_quality_command(program);
   add_convert_command(program);
   add_picture_command(program);
+  add_generate_command(program);
   add_planned_commands(program);
 }
 
-// The parser's own words for a first word that it does not know do not name it.
-void require_known_command(const CLI::App& program, int argc, char** argv) {
-  if (argc < 2) throw Error(ErrorKind::kUsage, "no command is given; quarry --help lists them");
-  const std::string name = argv[1];
+// The parser's own words for a command that it does not know do not name it. words: what is to be read as the
+// name of a command of `program`, and what follows; path: how one calls the program.
+void require_known_command(const CLI::App& program, std::span<char* const> words, const std::string& path) {
+  if (words.empty())
+    throw Error(ErrorKind::kUsage, fmt::format("no command is given; {} --help lists them", path));
+  const std::string name = words[0];
   if (name.starts_with("-")) {
     if (program.get_option_no_throw(name) != nullptr) return;
     throw Error(ErrorKind::kUsage,
-                fmt::format("there is no option '{}' before a command; see quarry --help", name));
+                fmt::format("there is no option '{}' before a command; see {} --help", name, path));
   }
   const auto called = [&](const CLI::App* command) { return command->get_name() == name; };
-  if (program.get_subcommands(called).empty())
-    throw Error(ErrorKind::kUsage, fmt::format("there is no command '{}'; quarry --help lists them", name));
+  const std::vector<const CLI::App*> commands = program.get_subcommands(called);
+  if (commands.empty())
+    throw Error(ErrorKind::kUsage, fmt::format("there is no command '{}'; {} --help lists them", name, path));
+  if (!commands.front()->get_subcommands(nullptr).empty())
+    require_known_command(*commands.front(), words.subspan(1), path + " " + name);
 }
 
 int parse_and_run(CLI::App& program, int argc, char** argv) {
   try {
-    require_known_command(program, argc, argv);
+    require_known_command(program, std::span<char* const>(argv, static_cast<std::size_t>(argc)).subspan(1),
+                          "quarry");
     program.parse(argc, argv);
     return 0;
   } catch (const CLI::ParseError& error) {

@@ -1,10 +1,8 @@
 #include "pipeline/cli/mesh_arguments.hpp"
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
 
-#include <cctype>
 #include <fmt/format.h>
 
 #include "engine/base/error.hpp"
@@ -12,6 +10,7 @@
 #include "pipeline/cli/irregular_price.hpp"
 #include "pipeline/cli/mixed_quality.hpp"
 #include "pipeline/cli/not_built.hpp"
+#include "pipeline/cli/whole_number.hpp"
 
 namespace quarry::cli {
 namespace {
@@ -25,16 +24,6 @@ constexpr int kMostAnnealingSweeps = 100'000;
 // A check that says nothing in the help text, where the type already tells the values.
 CLI::Validator one_of(std::vector<std::string> values) {
   return CLI::IsMember(std::move(values)).description("");
-}
-
-// The parser alone takes "-1" for the largest unsigned number.
-CLI::Validator whole_number() {
-  const auto check = [](const std::string& text) -> std::string {
-    const bool digits = !text.empty() && std::all_of(text.begin(), text.end(),
-                                                     [](unsigned char c) { return std::isdigit(c) != 0; });
-    return digits ? "" : fmt::format("{} is no whole number of 0 or more", text);
-  };
-  return {check, ""};
 }
 
 void add_shape_options(CLI::App& command, MeshArguments& arguments) {
@@ -123,8 +112,7 @@ void add_output_options(CLI::App& command, MeshArguments& arguments) {
                   "a page with a view that turns, and the quality; needs no network")
       ->type_name("FILE.html")
       ->group(group);
-  command.add_flag("--compress", arguments.compress, "zlib in a .vtu: about half the bytes, slower to write")
-      ->group(group);
+  add_mesh_output_options(command, arguments.written, group);
   command
       .add_option("--require", arguments.require,
                   "exit code 6, and no mesh, unless it is met; the figures stand below")

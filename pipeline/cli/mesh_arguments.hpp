@@ -10,6 +10,7 @@
 
 #include "pipeline/cli/common_arguments.hpp"
 #include "pipeline/cli/demands.hpp"
+#include "pipeline/cli/mesh_output.hpp"
 #include "pipeline/section/options.hpp"
 
 namespace quarry::cli {
@@ -19,7 +20,7 @@ struct MeshArguments {
   CommonArguments common;
   std::string output, report, picture, page, config;
   std::vector<std::string> require;
-  bool compress = false;
+  MeshOutput written;
 
   // As written; fill_section() reads them.
   std::string elements = "quad", method = "deferred", start, orient, quads = "cluster", cleanup,

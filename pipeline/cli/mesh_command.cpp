@@ -40,7 +40,7 @@ std::string rounded(double count) {
 
 void check(MeshArguments& arguments) {
   fill_section(arguments);
-  check_writable_extension(arguments.output);
+  arguments.written.check(arguments.output);
   if (!arguments.picture.empty()) check_picture_extension(arguments.picture);
   if (!arguments.page.empty()) check_page_extension(arguments.page);
   if (!arguments.section.start_file.empty()) check_readable_extension(arguments.section.start_file);
@@ -52,12 +52,12 @@ void check(MeshArguments& arguments) {
 
 void write_mesh_file(const MeshArguments& arguments, const SectionResult& result, const std::string& hash) {
   const std::vector<double> jacobians = scaled_jacobians(result.mesh);
-  MeshWriteOptions options;
-  options.fields = {{"quarry_version", QUARRY_VERSION},
-                    {"input_hash", hash},
-                    {"options", option_text(resolved_options(arguments.section, result))}};
+  MeshWriteOptions options = arguments.written.write_options();
+  options.fields = {
+      {"quarry_version", QUARRY_VERSION},
+      {"input_hash", hash},
+      {"options", option_text(resolved_options(arguments.section, result)) + arguments.written.text()}};
   options.scaled_jacobian = jacobians;
-  options.compress = arguments.compress;
   write_mesh(arguments.output, result.mesh, options);
 }
 
@@ -68,7 +68,10 @@ void add_running_options(const MeshArguments& arguments, JobReport& report) {
                                                {"report", arguments.report},
                                                {"picture", arguments.picture},
                                                {"page", arguments.page},
-                                               {"compress", arguments.compress},
+                                               {"compress", arguments.written.compress},
+                                               {"order", arguments.written.order},
+                                               {"for", arguments.written.consumer},
+                                               {"split-fractures", arguments.written.split_fractures},
                                                {"require", arguments.require},
                                                {"config", arguments.config}});
 }
@@ -119,6 +122,7 @@ void run(MeshArguments& arguments) {
     write_job_report(arguments, result, hash, quality);
     throw;
   }
+  arguments.written.prepare(result.mesh);
   write_mesh_file(arguments, result, hash);
   if (!arguments.picture.empty()) write_picture(arguments.picture, result.mesh, PictureOptions());
   if (!arguments.page.empty())

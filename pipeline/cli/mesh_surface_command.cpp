@@ -52,6 +52,7 @@ void refuse_options_of_lines(const MeshArguments& arguments) {
   not_built(arguments.method != "deferred", "--method");
   not_built(arguments.quads != "cluster", "--quads matching");
   not_built(!section.sizes.uniform(), "a size by place (--size-field, --refine-near, --between-lines)");
+  not_built(arguments.written.split_fractures, "--split-fractures");
   not_built(!section.irregular_price.empty(), "--irregular-price");
 }
 
@@ -110,13 +111,12 @@ void write_repaired(const std::string& path, const SurfaceResult& result) {
 void write_mesh_file(const MeshArguments& arguments, const SurfaceOptions& surface,
                      const SurfaceResult& result, const std::string& hash) {
   const std::vector<double> jacobians = scaled_jacobians(result.mesh);
-  MeshWriteOptions options;
+  MeshWriteOptions options = arguments.written.write_options();
   options.fields = {{"quarry_version", QUARRY_VERSION},
                     {"input_hash", hash},
-                    {"options", option_text(resolved_options(surface, result))}};
+                    {"options", option_text(resolved_options(surface, result)) + arguments.written.text()}};
   options.names = result.names;
   options.scaled_jacobian = jacobians;
-  options.compress = arguments.compress;
   write_mesh(arguments.output, result.mesh, options);
 }
 
@@ -141,7 +141,7 @@ void run_mesh_surface(MeshArguments& arguments) {
   const SurfaceOptions options = options_of(arguments);
   std::vector<std::string> files = options.inputs;
   files.insert(files.end(), options.lines.begin(), options.lines.end());
-  check_writable_extension(arguments.output);
+  arguments.written.check(arguments.output);
   if (!arguments.repaired.empty()) check_writable_extension(arguments.repaired);
   if (!arguments.picture.empty()) check_picture_extension(arguments.picture);
   if (!arguments.page.empty()) check_page_extension(arguments.page);

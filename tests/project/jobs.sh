@@ -44,11 +44,22 @@ done
 expect "the report is JSON" 0 python3 -m json.tool "$OUT/1.json"
 expect "triangles" 0 "$QUARRY" mesh "$SECTION" -o "$OUT/triangles.vtu" --size 12 --elements tri --quiet
 expect "Gmsh's format" 0 "$QUARRY" mesh "$SECTION" -o "$OUT/section.msh" --size 12 --quiet
+for name in section.avs section.mesh section.vtkhdf; do
+  expect "$name" 0 "$QUARRY" mesh "$SECTION" -o "$OUT/$name" --size 20 --quiet
+done
+expect "AVS and MFEM are read" 0 "$QUARRY" convert "$OUT/section.avs" "$OUT/again.mesh"
+expect "elements of second order, split" 0 "$QUARRY" mesh "$SECTION" -o "$OUT/second.vtu" --size 20 --order 2 --split-fractures --quiet
+expect "for MOOSE" 0 "$QUARRY" convert "$OUT/1.vtu" "$OUT/moose.msh" --for moose
+expect "for OpenGeoSys" 0 "$QUARRY" convert "$OUT/1.vtu" "$OUT/ogs.vtu" --for ogs
 expect "clean" 0 "$QUARRY" clean "$SECTION" -o "$OUT/clean.geojson" --snap 0.5
 expect "the cleaned lines are JSON" 0 python3 -m json.tool "$OUT/clean.geojson"
 expect "quality" 0 "$QUARRY" quality "$OUT/1.vtu" --json
 cp "$OUT/stdout" "$OUT/quality.json"
 expect "quality prints JSON" 0 python3 -m json.tool "$OUT/quality.json"
+expect "a drawn network" 0 "$QUARRY" generate fractures --count 150 --curved --outline -o "$OUT/network.geojson"
+expect "a drawn network is meshed" 0 "$QUARRY" mesh "$OUT/network.geojson" -o "$OUT/network.vtu" --size 30 --quiet
+expect "drawn layers" 0 "$QUARRY" generate layers --threads 2 -o "$OUT/layers.geojson"
+expect "drawn layers are meshed" 0 "$QUARRY" mesh "$OUT/layers.geojson" -o "$OUT/layers.vtu" --size 20 --quiet
 expect "picture" 0 "$QUARRY" picture "$OUT/1.vtu" -o "$OUT/section.svg"
 
 cat > "$OUT/cube.obj" << 'END'

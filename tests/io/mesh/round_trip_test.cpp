@@ -123,7 +123,8 @@ TEST_P(MeshFormat, RefusesBrokenFilesWithAnError) {
 
 INSTANTIATE_TEST_SUITE_P(All, MeshFormat,
                          testing::Values(Case{".vtu", false}, Case{".vtu", true}, Case{".msh", false},
-                                         Case{".obj", false}, Case{".inp", false}, Case{".ply", false}),
+                                         Case{".obj", false}, Case{".inp", false}, Case{".ply", false},
+                                         Case{".avs", false}),
                          [](const auto& instance) {
                            return std::string(instance.param.extension + 1) +
                                   (instance.param.compress ? "Compressed" : "");
@@ -150,7 +151,7 @@ TEST(MeshFormats, AreRefusedWhenTheyAreOnlyRead) {
     } catch (const Error& error) {
       EXPECT_EQ(error.kind(), ErrorKind::kUsage);
       EXPECT_NE(
-          error.message().find("is read and not written; write one of .vtu, .msh, .obj, .inp, .ply or .stl"),
+          error.message().find("is read and not written; write one of .vtu, .msh, .obj, .inp, .ply, .stl, "),
           std::string::npos)
           << error.message();
     }

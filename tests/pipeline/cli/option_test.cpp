@@ -30,7 +30,10 @@ TEST(CommandLine, VersionAndHelpAreResults) {
                                                     {"improve", "--help"},
                                                     {"quality", "--help"},
                                                     {"convert", "--help"},
-                                                    {"picture", "--help"}}) {
+                                                    {"picture", "--help"},
+                                                    {"generate", "--help"},
+                                                    {"generate", "fractures", "--help"},
+                                                    {"generate", "layers", "--help"}}) {
     const CommandResult result = run_quarry(arguments);
     EXPECT_EQ(result.exit_code, 0) << arguments[0];
     EXPECT_NE(result.out, "") << arguments[0];
@@ -58,6 +61,60 @@ TEST(CommandLine, MistakesAreToldInOneLine) {
   expect_usage_error({"clean", kDemoSection, "-o", "out.geojson"}, "--snap");
 }
 
+TEST(CommandLine, MistakesInGenerateAreToldInOneLine) {
+  expect_usage_error({"generate"}, "quarry generate --help");
+  expect_usage_error({"generate", "karst", "-o", "out.geojson"}, "karst");
+  expect_usage_error({"generate", "fractures", "--count", "10"}, "-o");
+  expect_usage_error({"generate", "fractures", "--count", "10", "-o", "out.vtu"}, "out.vtu");
+  expect_usage_error({"generate", "fractures", "-o", "out.geojson"}, "--count");
+  expect_usage_error({"generate", "fractures", "--count", "-1", "-o", "out.geojson"}, "--count");
+  expect_usage_error({"generate", "fractures", "--count", "10", "--box", "10", "-o", "out.geojson"}, "--box");
+  for (const std::string set : {"", "north", "10:", "10:x", "10:1:1:1"})
+    expect_usage_error({"generate", "fractures", "--count", "10", "--set", set, "-o", "out.geojson"},
+                       "--set");
+  expect_usage_error({"generate", "layers", "--dip", "0", "-o", "out.geojson"}, "--dip");
+}
+
+TEST(CommandLine, GenerateDrawsWhatMeshReads) {
+  const TestFolder folder;
+  for (const std::vector<std::string>& model :
+       {std::vector<std::string>{"fractures", "--p21", "0.02", "--set", "20:40", "--set", "95:40:0.5",
+                                 "--curved"},
+        std::vector<std::string>{"layers", "--outline", "--origin", "466000,6691000"}}) {
+    std::vector<std::string> arguments = {"generate", model[0], "-o", folder / "model.geojson", "--quiet"};
+    arguments.insert(arguments.end(), model.begin() + 1, model.end());
+    const CommandResult drawn = run_quarry(arguments);
+    EXPECT_EQ(drawn.exit_code, 0) << drawn.err;
+    EXPECT_EQ(drawn.err, "");
+    const CommandResult meshed =
+        run_quarry({"mesh", folder / "model.geojson", "-o", folder / "out.vtu", "--size", "30", "--quiet"});
+    EXPECT_EQ(meshed.exit_code, 0) << meshed.err;
+  }
+}
+
+TEST(CommandLine, FormatsThatCannotHoldWhatIsAskedAreToldBeforeTheWork) {
+  expect_usage_error({"mesh", kDemoSection, "-o", "out.obj", "--size", "5", "--order", "2"}, "second order");
+  expect_usage_error({"mesh", kDemoSection, "-o", "out.inp", "--size", "5", "--order", "2-full"},
+                     "second order");
+  expect_usage_error({"mesh", kDemoSection, "-o", "out.vtu", "--size", "5", "--order", "3"}, "--order");
+  expect_usage_error({"mesh", kDemoSection, "-o", "out.vtu", "--size", "5", "--for", "moose"}, "out.vtu");
+  expect_usage_error({"convert", "in.vtu", "out.msh", "--for", "ogs"}, "out.msh");
+  expect_usage_error({"convert", "in.vtkhdf", "out.msh"}, "is written and not read");
+  expect_usage_error(
+      {"mesh", "tests/data/demo_horizon.obj", "-o", "out.vtu", "--size", "50", "--split-fractures"},
+      "--split-fractures");
+}
+
+TEST(CommandLine, WhatChangesTheFileStandsInIt) {
+  const TestFolder folder;
+  ASSERT_EQ(run_quarry({"mesh", kDemoSection, "-o", folder / "out.msh", "--size", "30", "--order", "2",
+                        "--split-fractures", "--quiet"})
+                .exit_code,
+            0);
+  const std::string text = read_text(folder / "out.msh");
+  EXPECT_NE(text.find("seed=0 order=2 split-fractures=1\n"), std::string::npos) << text.substr(0, 600);
+}
+
 TEST(CommandLine, UnknownOutputExtensionsAreToldBeforeTheWork) {
   expect_usage_error({"mesh", kDemoSection, "-o", "out.xyz", "--size", "5"}, "out.xyz");
   expect_usage_error({"mesh", kDemoSection, "-o", "out", "--size", "5"}, "out");
@@ -76,7 +133,7 @@ TEST(CommandLine, WhatIsNotBuiltSaysSo) {
     arguments.insert(arguments.end(), value.begin(), value.end());
     expect_usage_error(arguments, "not built yet");
   }
-  for (const char* command : {"generate", "batch", "adapt"}) {
+  for (const char* command : {"batch", "adapt"}) {
     expect_usage_error({command}, "not built yet");
     expect_usage_error({command, "some", "--option", "3"}, "not built yet");
   }
