@@ -133,7 +133,7 @@ void add_surface_options(CLI::App& command, MeshArguments& arguments) {
   command
       .add_option(
           "--lines", arguments.lines,
-          "lines on or near the surface (GeoJSON) that become chains of edges; without heights they lie "
+          "lines on or near the surface that become chains of edges; without heights they lie "
           "where plumb lines meet the surface from above")
       ->type_name("FILE")
       ->group(group);
@@ -185,7 +185,8 @@ void add_line_options(CLI::App& command, SectionOptions& section) {
   const auto option = [&](const char* name, auto& value, const char* type, const char* help) {
     return command.add_option(name, value, help)->type_name(type);
   };
-  option("inputs", section.inputs, "FILE", "GeoJSON files with lines or polygons");
+  option("inputs", section.inputs, "FILE",
+         "lines or polygons: GeoJSON, WKT, CSV, FracPaQ, Triangle .poly, GOCAD .pl; - is standard input");
   const char* group = "Lengths, in input units";
   option("--size", section.size, "H", "wanted length of an element's edge")->group(group);
   option("--snap", section.snap, "T",
