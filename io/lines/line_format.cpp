@@ -18,6 +18,7 @@
 #include "io/lines/number_row.hpp"
 #include "io/lines/pline_reader.hpp"
 #include "io/lines/poly_reader.hpp"
+#include "io/lines/shapefile_reader.hpp"
 #include "io/lines/text_rows.hpp"
 #include "io/lines/wkt_geometry.hpp"
 #include "io/lines/wkt_reader.hpp"
@@ -31,6 +32,7 @@ constexpr LineFormat kWkt{"WKT", read_wkt_lines};
 constexpr LineFormat kCsv{"CSV", read_csv_lines};
 constexpr LineFormat kFracpaq{"FracPaQ", read_fracpaq_lines};
 constexpr LineFormat kPoly{"Triangle .poly", read_poly_lines};
+constexpr LineFormat kShapefile{"Shapefile", read_shapefile_lines};
 constexpr LineFormat kPline{"GOCAD .pl", read_pline_lines};
 
 struct Extension {
@@ -39,10 +41,10 @@ struct Extension {
 };
 
 constexpr std::array kExtensions{
-    Extension{".geojson", &kGeojson}, Extension{".json", &kGeojson}, Extension{".wkt", &kWkt},
-    Extension{".poly", &kPoly},       Extension{".pl", &kPline},     Extension{".csv", nullptr},
-    Extension{".tsv", nullptr},       Extension{".txt", nullptr},    Extension{".dat", nullptr},
-    Extension{".xy", nullptr},        Extension{".xyz", nullptr}};
+    Extension{".geojson", &kGeojson}, Extension{".json", &kGeojson}, Extension{".shp", &kShapefile},
+    Extension{".wkt", &kWkt},         Extension{".poly", &kPoly},    Extension{".pl", &kPline},
+    Extension{".csv", nullptr},       Extension{".tsv", nullptr},    Extension{".txt", nullptr},
+    Extension{".dat", nullptr},       Extension{".xy", nullptr},     Extension{".xyz", nullptr}};
 
 const Extension* find_extension(const std::string& path) {
   const std::string extension = lower_case(std::filesystem::path(path).extension().string());

@@ -11,8 +11,10 @@
 
 #include "engine/base/error.hpp"
 #include "engine/base/log.hpp"
+#include "io/lines/companion_file.hpp"
 #include "io/lines/coordinate_limit.hpp"
 #include "io/lines/line_attributes.hpp"
+#include "io/lines/ring.hpp"
 #include "io/lines/segment_chains.hpp"
 #include "io/mapped_file.hpp"
 #include "io/mesh/number_index.hpp"
@@ -64,22 +66,6 @@ class PolyNumbers {
   TextCursor cursor_;
 };
 
-double doubled_area(const std::vector<Vec2>& ring) {
-  double area = 0;
-  for (std::size_t i = 0; i + 1 < ring.size(); ++i) area += cross(ring[i] - ring[0], ring[i + 1] - ring[0]);
-  return std::abs(area);
-}
-
-// Crossings of the ray to the right of p.
-bool holds(const std::vector<Vec2>& ring, Vec2 p) {
-  bool inside = false;
-  for (std::size_t i = 0; i + 1 < ring.size(); ++i) {
-    const Vec2 a = ring[i], b = ring[i + 1];
-    if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) inside = !inside;
-  }
-  return inside;
-}
-
 class PolyReader {
  public:
   PolyReader(const LineSource& source, LineSet& lines)
@@ -94,7 +80,7 @@ class PolyReader {
       for (const std::uint32_t point : chain.points) line.input.points.push_back(points_[point]);
       line.input.feature = static_cast<std::uint32_t>(found_.size());
       line.marker = chain.marker;
-      if (line.input.closed()) line.area = doubled_area(line.input.points);
+      if (line.input.closed()) line.area = std::abs(doubled_area(line.input.points));
       for (const Vec2 p : line.input.points) line.box.extend(p);
       found_.push_back(std::move(line));
     }
@@ -131,9 +117,10 @@ class PolyReader {
   }
 
   void read_points_beside() {
-    const std::string path = std::filesystem::path(source_.name).replace_extension(".node").string();
-    if (!std::filesystem::exists(path))
-      numbers_.fail(fmt::format("no vertices, and there is no file {} with them", path));
+    const std::string path = companion_file(source_.name, ".node");
+    if (path.empty())
+      numbers_.fail(fmt::format("no vertices, and there is no file {} with them",
+                                std::filesystem::path(source_.name).replace_extension(".node").string()));
     const MappedFile file(path);
     PolyNumbers numbers(path, file.text());
     read_points(numbers, false);
@@ -175,7 +162,7 @@ class PolyReader {
     std::optional<std::size_t> smallest;
     for (std::size_t i = 0; i < found_.size(); ++i)
       if (found_[i].area > 0 && take(i) && (!smallest || found_[i].area < found_[*smallest].area) &&
-          found_[i].box.contains(p) && holds(found_[i].input.points, p))
+          found_[i].box.contains(p) && ring_holds(found_[i].input.points, p))
         smallest = i;
     return smallest;
   }

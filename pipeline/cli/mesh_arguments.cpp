@@ -131,10 +131,9 @@ void add_surface_options(CLI::App& command, MeshArguments& arguments) {
       ->type_name("ERROR")
       ->group(group);
   command
-      .add_option(
-          "--lines", arguments.lines,
-          "lines on or near the surface that become chains of edges; without heights they lie "
-          "where plumb lines meet the surface from above")
+      .add_option("--lines", arguments.lines,
+                  "lines on or near the surface that become chains of edges; without heights they lie "
+                  "where plumb lines meet the surface from above")
       ->type_name("FILE")
       ->group(group);
   command
@@ -186,7 +185,8 @@ void add_line_options(CLI::App& command, SectionOptions& section) {
     return command.add_option(name, value, help)->type_name(type);
   };
   option("inputs", section.inputs, "FILE",
-         "lines or polygons: GeoJSON, WKT, CSV, FracPaQ, Triangle .poly, GOCAD .pl; - is standard input");
+         "lines or polygons: GeoJSON, Shapefile, WKT, CSV, FracPaQ, Triangle .poly, GOCAD .pl; - is standard "
+         "input");
   const char* group = "Lengths, in input units";
   option("--size", section.size, "H", "wanted length of an element's edge")->group(group);
   option("--snap", section.snap, "T",

@@ -2,10 +2,12 @@
 
 #include <cstdint>
 #include <type_traits>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "io/lines/companion_file.hpp"
 #include "pipeline/report/input_hash.hpp"
 #include "pipeline/report/line_distance.hpp"
 #include "pipeline/report/low_quad_counts.hpp"
@@ -117,8 +119,11 @@ std::string option_text(const std::vector<ReportItem>& options) {
 }
 
 std::string hash_inputs(const SectionOptions& options) {
-  std::vector<std::string> paths = options.inputs;
-  if (boundary_text(options) == "file") paths.push_back(options.boundary);
+  std::vector<std::string> paths;
+  for (const std::string& input : options.inputs)
+    for (std::string& file : files_read_with(input)) paths.push_back(std::move(file));
+  if (boundary_text(options) == "file")
+    for (std::string& file : files_read_with(options.boundary)) paths.push_back(std::move(file));
   if (options.start == StartMesh::kFile) paths.push_back(options.start_file);
   if (const std::string prices = price_file(options.irregular_price); !prices.empty())
     paths.push_back(prices);
