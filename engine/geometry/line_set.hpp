@@ -36,6 +36,7 @@ struct CoordinateSystem {
   std::string
       definition;  // as the file has it: WKT, "EPSG:3067", "urn:ogc:def:crs:..."; "" if it says nothing
   bool geographic = false;  // coordinates are longitude and latitude in degrees
+  bool assumed = false;     // the file says nothing; this is what its format means then
 
   friend bool operator==(const CoordinateSystem&, const CoordinateSystem&) = default;
 };

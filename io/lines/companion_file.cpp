@@ -23,6 +23,16 @@ std::string companion_file(const std::string& path, const std::string& extension
 
 std::vector<std::string> files_read_with(const std::string& path) {
   std::vector<std::string> files{path};
+  // Some formats are folders (.gdb).
+  std::error_code failure;
+  if (std::filesystem::is_directory(path, failure)) {
+    files.clear();
+    for (std::filesystem::recursive_directory_iterator at(path, failure), end; !failure && at != end;
+         at.increment(failure))
+      if (at->is_regular_file(failure)) files.push_back(at->path().string());
+    std::ranges::sort(files);
+    return files;
+  }
   const std::string extension = lower_case(std::filesystem::path(path).extension().string());
   const auto add = [&](const std::string& beside) {
     if (std::string file = companion_file(path, beside); !file.empty()) files.push_back(std::move(file));

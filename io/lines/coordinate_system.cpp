@@ -1,5 +1,7 @@
 #include "io/lines/coordinate_system.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "io/lines/proj_context.hpp"
@@ -26,15 +28,48 @@ bool is_geographic(PJ_CONTEXT* context, const PJ* system) {
   }
 }
 
+// Decimals that survey coordinates in metres have.
+constexpr double kFewDecimals = 1000;
+
+bool has_many_decimals(double value) {
+  const double scaled = value * kFewDecimals;
+  return std::abs(scaled - std::round(scaled)) > 1e-6;
+}
+
 }  // namespace
 
 CoordinateSystem describe_system(std::string definition) {
-  CoordinateSystem result{std::move(definition), false};
+  CoordinateSystem result{std::move(definition)};
   if (result.definition.empty()) return result;
   const ProjContext context = make_proj_context();
   const ProjObject system(proj_create(context.get(), result.definition.c_str()));
   result.geographic = system && is_geographic(context.get(), system.get());
   return result;
+}
+
+bool same_system(const std::string& a, const std::string& b) {
+  if (a == b) return true;
+  const ProjContext context = make_proj_context();
+  const ProjObject first(proj_create(context.get(), a.c_str())),
+      second(proj_create(context.get(), b.c_str()));
+  return first && second &&
+         proj_is_equivalent_to_with_ctx(context.get(), first.get(), second.get(),
+                                        PJ_COMP_EQUIVALENT_EXCEPT_AXIS_ORDER_GEOGCRS) != 0;
+}
+
+bool look_like_degrees(const LineSet& lines, std::uint32_t file) {
+  Box2 box;
+  bool fine = false;
+  for (const InputLine& line : lines.lines) {
+    if (line.file != file) continue;
+    for (const Vec2 p : line.points) {
+      box.extend(p);
+      fine = fine || has_many_decimals(p.x) || has_many_decimals(p.y);
+    }
+  }
+  if (!fine || box.low.x < -180 || box.high.x > 180 || box.low.y < -90 || box.high.y > 90) return false;
+  const double x = std::clamp(0.0, box.low.x, box.high.x), y = std::clamp(0.0, box.low.y, box.high.y);
+  return std::hypot(x, y) >= 2 * box.longer_side();
 }
 
 }  // namespace quarry

@@ -230,7 +230,11 @@ void read_geojson_lines(const LineSource& source, LineSet& lines) {
         fmt::format("{}: not GeoJSON: the document is no object; bare lists of coordinates are read as "
                     "{{\"type\":\"Polygon\",\"coordinates\":LIST}} or another type",
                     source.name));
+  // RFC 7946 knows longitude and latitude alone; files of plane coordinates without a word of it are as
+  // common.
   lines.systems[source.file] = describe_system(tokens.system());
+  if (tokens.system().empty() && look_like_degrees(lines, source.file))
+    lines.systems[source.file] = {"OGC:CRS84", true, true};
   tokens.attributes().tell(source.name);
 }
 

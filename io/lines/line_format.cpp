@@ -93,6 +93,10 @@ bool content_decides(const std::string& path) {
   return path == kStandardInput || !std::filesystem::path(path).has_extension();
 }
 
+bool is_read_by_ogr(const std::string& path) {
+  return line_format_of_extension(path) == nullptr && !content_decides(path);
+}
+
 const LineFormat* line_format_of_text(std::string_view text) {
   const auto space = [](unsigned char c) { return std::isspace(c) != 0; };
   const auto begin = std::ranges::find_if_not(text, space);

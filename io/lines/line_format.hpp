@@ -20,6 +20,9 @@ struct LineFormat {
 // standard input.
 [[nodiscard]] bool content_decides(const std::string& path);
 
+// Whether neither tells: GDAL's ogr2ogr may know the format.
+[[nodiscard]] bool is_read_by_ogr(const std::string& path);
+
 // The format that the text looks like, or null.
 [[nodiscard]] const LineFormat* line_format_of_text(std::string_view text);
 

@@ -1,7 +1,6 @@
 #include "io/lines/line_reader.hpp"
 
 #include <algorithm>
-#include <filesystem>
 #include <string_view>
 
 #include <cctype>
@@ -28,23 +27,19 @@ std::string_view without_byte_order_mark(std::string_view text) {
 
 const LineFormat& format_of(const std::string& path, std::string_view text) {
   if (const LineFormat* format = line_format_of_extension(path)) return *format;
-  if (content_decides(path)) {
-    if (const LineFormat* format = line_format_of_text(text)) return *format;
-    fail(path,
-         "its first rows look like no format of lines that is known: GeoJSON, WKT, CSV with names of "
-         "columns (x,y,line or wkt), FracPaQ, Triangle .poly or GOCAD .pl");
-  }
-  fail(path, fmt::format("no reader for lines in '{}' files; supported: {}",
-                         std::filesystem::path(path).extension().string(), readable_line_extensions()));
+  if (const LineFormat* format = line_format_of_text(text)) return *format;
+  fail(path,
+       "its first rows look like no format of lines that is known: GeoJSON, WKT, CSV with names of columns "
+       "(x,y,line or wkt), FracPaQ, Triangle .poly or GOCAD .pl");
 }
 
-void read_file(const std::string& path, LineSet& lines) {
+void read_file(const std::string& path, const OgrOptions& options, LineSet& lines) {
   LineSource source;
   source.name = input_name(path);
   source.file = static_cast<std::uint32_t>(lines.files.size());
   lines.files.push_back(source.name);
   lines.systems.emplace_back();
-  if (line_format_of_extension(path) == nullptr && !content_decides(path)) (void)format_of(path, {});
+  if (is_read_by_ogr(path)) return read_ogr_lines(source, options, lines);
   const InputText input(path);
   source.text = without_byte_order_mark(input.text());
   if (std::ranges::all_of(source.text, [](unsigned char c) { return std::isspace(c) != 0; }))
@@ -54,11 +49,11 @@ void read_file(const std::string& path, LineSet& lines) {
 
 }  // namespace
 
-LineSet read_lines(const std::vector<std::string>& paths) {
+LineSet read_lines(const std::vector<std::string>& paths, const OgrOptions& options) {
   LineSet result;
   for (const std::string& path : paths) {
     const std::size_t before = result.lines.size();
-    read_file(path, result);
+    read_file(path, options, result);
     if (result.lines.size() == before && paths.size() > 1) log::warn("{}: holds no lines", input_name(path));
   }
   if (result.lines.empty())

@@ -6,6 +6,7 @@
 #include "io/mesh/group_name.hpp"
 #include "io/mesh/grouped_entities.hpp"
 #include "io/mesh/inp_format.hpp"
+#include "io/mesh/line_group_names.hpp"
 #include "io/mesh/text_output.hpp"
 
 namespace quarry {
@@ -31,6 +32,7 @@ class InpWriter {
     for (const FaceGroup& group : grouped_.face_groups) write_faces(group);
     std::size_t next = grouped_.faces.size() + 1;
     for (const EdgeGroup& group : grouped_.edge_groups) next = write_edges(group, next);
+    write_line_groups();
     file_.commit();
   }
 
@@ -77,11 +79,7 @@ class InpWriter {
       else
         apart.push_back(grouped_.edges[i]);
     }
-    if (!sides.empty()) file_.write(fmt::format("*SURFACE, TYPE=ELEMENT, NAME={}\n", name));
-    write_lines(file_, sides.size(), [&](TextLine line, std::size_t i) {
-      line << element_of_[sides[i].face()] << (mesh_.planar() ? ", S" : ", E") << sides[i].index() + 1
-           << "\n";
-    });
+    write_surface(name, sides);
     if (!apart.empty())
       file_.write(fmt::format("*ELEMENT, TYPE={}, ELSET={}\n", mesh_.planar() ? "T2D2" : "T3D2", name));
     write_lines(file_, apart.size(), [&](TextLine line, std::size_t i) {
@@ -89,6 +87,29 @@ class InpWriter {
       line << first + i << ", " << numbering_.number(a) + 1 << ", " << numbering_.number(b) + 1 << "\n";
     });
     return first + apart.size();
+  }
+
+  void write_surface(const std::string& name, const std::vector<SideId>& sides) {
+    if (sides.empty()) return;
+    file_.write(fmt::format("*SURFACE, TYPE=ELEMENT, NAME={}\n", name));
+    write_lines(file_, sides.size(), [&](TextLine line, std::size_t i) {
+      line << element_of_[sides[i].face()] << (mesh_.planar() ? ", S" : ", E") << sides[i].index() + 1
+           << "\n";
+    });
+  }
+
+  // A piece of several lines of a group is in it once.
+  void write_line_groups() {
+    const LineGroupNames groups(mesh_, options_.line_groups);
+    std::vector<std::vector<SideId>> sides(groups.all().size());
+    for (const EdgeId e : grouped_.edges)
+      if (const SideId side = side_of(e); side.valid())
+        for (const std::size_t group : groups.of(e)) sides[group].push_back(side);
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+      std::ranges::sort(sides[i]);
+      sides[i].erase(std::ranges::unique(sides[i]).begin(), sides[i].end());
+      write_surface(word_of(groups.all()[i]), sides[i]);
+    }
   }
 
   AtomicFile file_;

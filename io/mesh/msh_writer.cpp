@@ -1,9 +1,11 @@
 #include <algorithm>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "io/mesh/group_name.hpp"
 #include "io/mesh/grouped_entities.hpp"
+#include "io/mesh/line_group_names.hpp"
 #include "io/mesh/msh_format.hpp"
 #include "io/mesh/text_output.hpp"
 
@@ -16,8 +18,12 @@ constexpr int kMshQuad = 3;
 
 class MshWriter {
  public:
-  MshWriter(const std::string& path, const Mesh& mesh)
-      : file_(path), mesh_(mesh), numbering_(mesh), grouped_(group_entities(mesh, numbering_)) {
+  MshWriter(const std::string& path, const Mesh& mesh, const MeshWriteOptions& options)
+      : file_(path),
+        mesh_(mesh),
+        numbering_(mesh),
+        grouped_(group_entities(mesh, numbering_)),
+        line_groups_(mesh, options.line_groups) {
     for (const FaceGroup& group : grouped_.face_groups)
       if (regions_.empty() || regions_.back() != group.region) regions_.push_back(group.region);
     for (const EdgeGroup& group : grouped_.edge_groups)
@@ -40,14 +46,17 @@ class MshWriter {
   }
 
  private:
-  // Physical tags: of curves, 1 is the outer boundary and a line has its index among lines_ + 2; of surfaces,
-  // the index among regions_ + 1. Entity tags are the index of the group + 1 for curves, and as physical for
-  // surfaces.
+  // Physical tags: of curves, 1 is the outer boundary, a line has its index among lines_ + 2, and groups of
+  // lines follow; of surfaces, the index among regions_ + 1. Entity tags are the index of the group + 1 for
+  // curves, and as physical for surfaces.
   void write_names(const GroupNames& names) {
-    file_.write(fmt::format("$PhysicalNames\n{}\n1 1 \"{}\"\n", 1 + lines_.size() + regions_.size(),
+    file_.write(fmt::format("$PhysicalNames\n{}\n1 1 \"{}\"\n",
+                            1 + lines_.size() + line_groups_.all().size() + regions_.size(),
                             kOuterBoundaryName));
     for (std::size_t i = 0; i < lines_.size(); ++i)
       file_.write(fmt::format("1 {} \"{}\"\n", i + 2, line_name(lines_[i], names)));
+    for (std::size_t i = 0; i < line_groups_.all().size(); ++i)
+      file_.write(fmt::format("1 {} \"{}\"\n", line_group_tag(i), line_groups_.all()[i]));
     for (std::size_t i = 0; i < regions_.size(); ++i)
       file_.write(fmt::format("2 {} \"{}\"\n", i + 1, region_name(regions_[i], names)));
     file_.write("$EndPhysicalNames\n");
@@ -58,6 +67,7 @@ class MshWriter {
                                     lines_.begin()) +
            2;
   }
+  [[nodiscard]] std::size_t line_group_tag(std::size_t index) const { return lines_.size() + 2 + index; }
   [[nodiscard]] std::size_t surface_tag(std::int32_t region) const {
     return static_cast<std::size_t>(std::lower_bound(regions_.begin(), regions_.end(), region) -
                                     regions_.begin()) +
@@ -83,9 +93,13 @@ class MshWriter {
       const EdgeGroup& group = grouped_.edge_groups[i];
       const bool outer = group.kind == kOuterBoundary;
       const bool named = group.constraint >= 0 || !outer;
-      file_.write(fmt::format("{} {} {}{}{} 0\n", i + 1, box,
-                              static_cast<int>(outer) + static_cast<int>(named), outer ? " 1" : "",
-                              named ? fmt::format(" {}", line_tag(group.constraint)) : ""));
+      std::vector<std::size_t> tags;
+      if (outer) tags.push_back(1);
+      if (named) tags.push_back(line_tag(group.constraint));
+      // All edges of a line are in the same groups.
+      for (const std::size_t index : line_groups_.of(grouped_.edges[group.begin]))
+        tags.push_back(line_group_tag(index));
+      file_.write(fmt::format("{} {} {} {} 0\n", i + 1, box, tags.size(), fmt::join(tags, " ")));
     }
     for (std::size_t i = 0; i < regions_.size(); ++i)
       file_.write(fmt::format("{} {} 1 {} 0\n", i + 1, box, i + 1));
@@ -135,6 +149,7 @@ class MshWriter {
   const Mesh& mesh_;
   LiveNumbering numbering_;
   GroupedEntities grouped_;
+  LineGroupNames line_groups_;
   std::vector<std::int32_t> regions_;  // ascending
   std::vector<std::int32_t> lines_;    // ascending
 };
@@ -142,7 +157,7 @@ class MshWriter {
 }  // namespace
 
 void write_msh(const std::string& path, const Mesh& mesh, const MeshWriteOptions& options) {
-  MshWriter(path, mesh).write(options);
+  MshWriter(path, mesh, options).write(options);
 }
 
 }  // namespace quarry

@@ -187,6 +187,15 @@ void add_line_options(CLI::App& command, SectionOptions& section) {
   option("inputs", section.inputs, "FILE",
          "lines or polygons: GeoJSON, Shapefile, WKT, CSV, FracPaQ, Triangle .poly, GOCAD .pl; - is standard "
          "input");
+  const char* place = "Coordinates";
+  command.add_flag("--project", section.project, "degrees are projected to metres, in the local UTM zone")
+      ->group(place);
+  command.add_flag("--as-is", section.as_is, "degrees are taken for lengths")
+      ->group(place)
+      ->excludes("--project");
+  option("--section", section.section, "x=VALUE|y=VALUE",
+         "the lines that stand in this vertical plane; their coordinates are y (or x) and height")
+      ->group(place);
   const char* group = "Lengths, in input units";
   option("--size", section.size, "H", "wanted length of an element's edge")->group(group);
   option("--snap", section.snap, "T",

@@ -56,6 +56,7 @@ void write_mesh_file(const MeshArguments& arguments, const SectionResult& result
   options.fields = {{"quarry_version", QUARRY_VERSION},
                     {"input_hash", hash},
                     {"options", option_text(resolved_options(arguments.section, result))}};
+  options.line_groups = result.line_groups;
   options.scaled_jacobian = jacobians;
   options.compress = arguments.compress;
   write_mesh(arguments.output, result.mesh, options);

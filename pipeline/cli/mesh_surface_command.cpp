@@ -45,6 +45,9 @@ void refuse_options_of_lines(const MeshArguments& arguments) {
   refuse(arguments.preset != "default", "--preset");
   refuse(section.fronts.has_value(), "--fronts");
   refuse(arguments.keep_boundary, "--keep-boundary");
+  refuse(section.project, "--project");
+  refuse(section.as_is, "--as-is");
+  refuse(!section.section.empty(), "--section");
   const auto not_built = [](bool given, const char* name) {
     if (given) fail_not_built(fmt::format("{} on a surface", name), "leave it out");
   };

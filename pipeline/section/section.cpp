@@ -11,23 +11,25 @@
 #include "engine/mesh/domain.hpp"
 #include "engine/mesh/pinch.hpp"
 #include "engine/mesh/validate.hpp"
-#include "io/lines/line_reader.hpp"
 #include "kernels/deferred/deferred.hpp"
 #include "kernels/field/size_field.hpp"
 #include "kernels/local/better_flips.hpp"
 #include "kernels/matching/whole_outline.hpp"
 #include "kernels/smooth/laplacian.hpp"
+#include "pipeline/section/line_tags.hpp"
 #include "pipeline/section/price_source.hpp"
+#include "pipeline/section/read_input.hpp"
 #include "pipeline/section/start.hpp"
 
 namespace quarry {
 namespace {
 
-Outline find_outline(const SectionOptions& options, const LineSet& lines, double near) {
+Outline find_outline(const SectionOptions& options, const SectionInput& input, double near) {
+  const LineSet& lines = input.lines;
+  if (input.boundary) return boundary_outline(*input.boundary, near);
   if (options.boundary.empty()) return default_outline(lines, near);
   if (options.boundary == "box") return box_outline(lines, near);
-  if (options.boundary == "hull") return hull_outline(lines, near);
-  return boundary_outline(read_lines({options.boundary}), near);
+  return hull_outline(lines, near);
 }
 
 Box2 box_of(const Outline& outline) {
@@ -137,11 +139,13 @@ void require_valid(const Mesh& mesh) {
 void read_and_clean(const SectionOptions& options, SectionResult& result, StageClock& clock,
                     const Progress& progress) {
   clock.start("reading");
-  result.lines = read_lines(options.inputs);
+  SectionInput input = read_section_input(options, progress);
   clock.start("cleaning");
-  const Box2 box = result.lines.box();
+  const Box2 box = input.lines.box();
   const double near = options.snap.value_or(0.05 * options.size.value_or(0.01 * box.longer_side()));
-  result.outline = find_outline(options, result.lines, near);
+  result.outline = find_outline(options, input, near);
+  result.lines = std::move(input.lines);
+  result.projected = std::move(input.projected);
   result.lengths = resolve_lengths(options, box_of(result.outline), area_of(result.outline));
   result.cleaned = clean_lines(result.lines, result.outline,
                                {.snap = result.lengths.snap,
@@ -149,6 +153,7 @@ void read_and_clean(const SectionOptions& options, SectionResult& result, StageC
                                 .tolerance = result.lengths.tolerance},
                                progress);
   result.lengths.snap = result.cleaned.options.snap;
+  result.cleaned.notes.insert(result.cleaned.notes.begin(), input.notes.begin(), input.notes.end());
 }
 
 void tell_prediction(const SectionOptions& options, const SectionResult& result) {
@@ -204,6 +209,7 @@ SectionResult mesh_section(const SectionOptions& options, const Progress& progre
   const ConstraintTags final_tags = ConstraintTags::of(result.mesh);
   result.regions = label_regions(result.mesh, final_tags);
   extract_edges(result.mesh, final_tags, result.cleaned.lines);
+  result.line_groups = tag_lines(result.mesh, result.lines, options.inputs);
   mark_pinches(result.mesh, final_tags);
   require_valid(result.mesh);
   clock.stop();

@@ -199,7 +199,7 @@ TEST_F(TextLines, TheContentTellsTheFormatOfATextFile) {
 
 TEST_F(TextLines, SurviveEveryTruncationAndChangedByte) {
   expect_survival("0 0\t1 1\t\n2,3,4,5\n", "a.txt");
-  expect_survival("SRID=4326;LINESTRING Z (0 0 1, 1 1 2)\nMULTIPOLYGON (((0 0,1 0,1 1)))", "a.wkt");
+  expect_survival("LINESTRING Z (0 0 1, 1 1 2)\nMULTIPOLYGON (((0 0,1 0,1 1)))", "a.wkt");
   expect_survival("x,y,line,aperture\n0,0,\"a\",1\n1,1,\"a\",\n\n2,2,b,\n3,3,b,\n", "a.csv");
   expect_survival("3 2 1 1\n1 0 0 9 1\n2 1 0 9 1\n3 1 1 9 1\n3 1\n1 1 2 4\n2 2 3 4\n3 3 1 4\n1\n1 .9 .1\n",
                   "a.poly");
