@@ -57,6 +57,26 @@ bool same_system(const std::string& a, const std::string& b) {
                                         PJ_COMP_EQUIVALENT_EXCEPT_AXIS_ORDER_GEOGCRS) != 0;
 }
 
+std::string system_urn(const std::string& definition) {
+  const ProjContext context = make_proj_context();
+  ProjObject system(definition.empty() ? nullptr : proj_create(context.get(), definition.c_str()));
+  if (!system) return {};
+  if (proj_get_id_code(system.get(), 0) == nullptr) {
+    // What GDAL takes for the same system.
+    constexpr int kSure = 90;
+    int* confidences = nullptr;
+    PJ_OBJ_LIST* const found = proj_identify(context.get(), system.get(), "EPSG", nullptr, &confidences);
+    const bool sure = found != nullptr && proj_list_get_count(found) > 0 && confidences[0] >= kSure;
+    system.reset(sure ? proj_list_get(context.get(), found, 0) : nullptr);
+    proj_list_destroy(found);
+    proj_int_list_destroy(confidences);
+    if (!system) return {};
+  }
+  const std::string authority = proj_get_id_auth_name(system.get(), 0);
+  return "urn:ogc:def:crs:" + authority + (authority == "OGC" ? ":1.3:" : "::") +
+         proj_get_id_code(system.get(), 0);
+}
+
 bool look_like_degrees(const LineSet& lines, std::uint32_t file) {
   Box2 box;
   bool fine = false;

@@ -16,6 +16,10 @@ namespace quarry {
 // them and their texts differ.
 [[nodiscard]] bool same_system(const std::string& a, const std::string& b);
 
+// The name of a system as a URN ("urn:ogc:def:crs:EPSG::3067"), by what it is called or, for WKT that does
+// not say, by what it means; "" where PROJ finds none.
+[[nodiscard]] std::string system_urn(const std::string& definition);
+
 // Whether the lines of a file look like longitude and latitude: all within 180 and 90 degrees, some number
 // with more than three decimals, and the box of all at least twice its longer side away from (0, 0), near
 // which plane coordinates of a site begin.

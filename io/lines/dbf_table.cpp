@@ -10,14 +10,7 @@
 #include "io/lines/text_encoding.hpp"
 
 namespace quarry {
-namespace {
-
-// What most tables that say nothing are in.
-constexpr const char* kGuess = "CP1252";
-
-}  // namespace
-
-DbfTable::DbfTable(const std::string& path) : path_(path) {
+DbfTable::DbfTable(const std::string& path) {
   if (path.empty()) return;
   SAHooks hooks = make_shapelib_hooks();
   table_.reset(DBFOpenLL(path.c_str(), "rb", &hooks));
@@ -37,10 +30,7 @@ DbfTable::DbfTable(const std::string& path) : path_(path) {
 }
 
 std::string DbfTable::in_utf8(const char* text) const {
-  if (!encoding_.empty() && encoding_ != "UTF-8") return to_utf8(text, encoding_);
-  if (is_utf8(text)) return text;
-  guessed_ = true;
-  return to_utf8(text, kGuess);
+  return encoding_.empty() || encoding_ == "UTF-8" ? text : to_utf8(text, encoding_);
 }
 
 void DbfTable::read(int record, AttributeCollector& attributes) const {
@@ -54,12 +44,6 @@ void DbfTable::read(int record, AttributeCollector& attributes) const {
       attributes.set(column.name, std::string_view(in_utf8(text)));
     }
   }
-}
-
-void DbfTable::tell() const {
-  if (guessed_)
-    log::warn("{}: texts are neither UTF-8 nor in an encoding that a .cpg file names: taken for {}", path_,
-              kGuess);
 }
 
 }  // namespace quarry

@@ -13,15 +13,12 @@ namespace quarry {
 
 class DbfTable {
  public:
-  // path: of the .dbf; "" for a Shapefile without one. Tells the encoding of its texts with -v, and warns
-  // where it had to be guessed. Throws Error(kInput) for a file that is no table.
+  // path: of the .dbf; "" for a Shapefile without one. Tells the encoding of its texts with -v. Throws
+  // Error(kInput) for a file that is no table.
   explicit DbfTable(const std::string& path);
 
   // Hands over the attributes of a record, from 0; those of one that is not there are empty.
   void read(int record, AttributeCollector& attributes) const;
-
-  // Where texts are neither in UTF-8 nor in an encoding that the file names: what they were taken for.
-  void tell() const;
 
  private:
   struct Close {
@@ -34,12 +31,10 @@ class DbfTable {
   };
   [[nodiscard]] std::string in_utf8(const char* text) const;
 
-  std::string path_;
   std::unique_ptr<DBFInfo, Close> table_;
   std::vector<Column> columns_;
   int records_ = 0;
   std::string encoding_;  // "" if the file does not name one
-  mutable bool guessed_ = false;
 };
 
 }  // namespace quarry

@@ -7,12 +7,15 @@
 #include <fmt/format.h>
 
 #include "engine/base/log.hpp"
+#include "io/lines/text_encoding.hpp"
 #include "io/lines/text_rows.hpp"
 #include "io/lower_case.hpp"
 #include "io/number_text.hpp"
 
 namespace quarry {
 namespace {
+
+constexpr const char* kGuess = "CP1252";
 
 // One line, without the blanks around it.
 std::string one_line(std::string_view text) {
@@ -26,7 +29,7 @@ std::string one_line(std::string_view text) {
 
 bool AttributeCollector::knows(std::string_view key) {
   const std::string name = lower_case(trimmed(key));
-  return name == "name" || name == "set" || name == "material" || name == "aperture";
+  return name == "name" || name == "set" || name == "material" || name == "aperture" || name == "layer";
 }
 
 void AttributeCollector::set(std::string_view key, std::string_view value) {
@@ -39,9 +42,13 @@ void AttributeCollector::set(std::string_view key, std::string_view value) {
     set(key, whole ? number : -1);
     return;
   }
-  if (name == "name") current_.name = one_line(value);
-  if (name == "set") current_.set = one_line(value);
-  if (name == "material") current_.material = one_line(value);
+  if (!knows(name)) return;
+  guessed_ = guessed_ || !is_utf8(value);
+  const std::string text = one_line(is_utf8(value) ? std::string(value) : to_utf8(value, kGuess));
+  if (name == "name") current_.name = text;
+  if (name == "set") current_.set = text;
+  if (name == "material") current_.material = text;
+  if (name == "layer") layer_ = text;
 }
 
 void AttributeCollector::set(std::string_view key, double value) {
@@ -53,7 +60,9 @@ void AttributeCollector::set(std::string_view key, double value) {
 }
 
 void AttributeCollector::assign(std::size_t first, LineSet& lines) {
-  const LineAttributes attributes = std::exchange(current_, {});
+  LineAttributes attributes = std::exchange(current_, {});
+  const std::string layer = std::exchange(layer_, {});
+  if (attributes.set.empty()) attributes.set = layer;
   if (attributes.empty() || first == lines.lines.size()) return;
   if (lines.attributes.empty() || lines.attributes.back() != attributes)
     lines.attributes.push_back(attributes);
@@ -65,6 +74,8 @@ void AttributeCollector::tell(const std::string& file) const {
   if (unreadable_ > 0)
     log::warn("{}: {} aperture{} no number of 0 or more: left out", file, unreadable_,
               unreadable_ == 1 ? " is" : "s are");
+  if (guessed_)
+    log::warn("{}: texts are neither UTF-8 nor in an encoding that is told: taken for {}", file, kGuess);
 }
 
 }  // namespace quarry

@@ -58,7 +58,6 @@ class ShapefileReader {
       table_.read(i, attributes_);
       attributes_.assign(first, lines_);
     }
-    table_.tell();
     attributes_.tell(source_.name);
     read_system();
   }

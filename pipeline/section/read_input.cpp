@@ -56,17 +56,21 @@ void refuse_degrees(const LineSet& lines) {
   }
 }
 
-void note_different_systems(const LineSet& lines, std::vector<std::string>& notes) {
-  const auto named = [](const CoordinateSystem& system) { return !system.definition.empty(); };
-  const auto first = std::ranges::find_if(lines.systems, named);
+// The system of all files that name one; "" where they name different ones, which is noted.
+std::string find_common_system(const LineSet& lines, std::vector<std::string>& notes) {
+  const CoordinateSystem* common = nullptr;
   for (std::size_t i = 0; i < lines.systems.size(); ++i) {
-    if (!named(lines.systems[i]) || same_system(lines.systems[i].definition, first->definition)) continue;
+    const CoordinateSystem& system = lines.systems[i];
+    if (system.definition.empty()) continue;
+    if (common == nullptr) common = &system;
+    if (same_system(system.definition, common->definition)) continue;
     notes.push_back(
         fmt::format("{} and {} have different coordinate systems: their lines may not lie where they "
                     "belong",
-                    lines.files[static_cast<std::size_t>(first - lines.systems.begin())], lines.files[i]));
-    return;
+                    lines.files[static_cast<std::size_t>(common - lines.systems.data())], lines.files[i]));
+    return {};
   }
+  return common == nullptr ? "" : common->definition;
 }
 
 }  // namespace
@@ -81,16 +85,19 @@ SectionInput read_section_input(const SectionOptions& options, const Progress& p
       throw Error(ErrorKind::kUsage,
                   "--project is for degrees of longitude and latitude; no input file is said to have them");
     input.projected = project_to_utm(input.lines, input.boundary ? &*input.boundary : nullptr);
+    input.system = input.projected.substr(0, input.projected.find(' '));
     input.notes.push_back(fmt::format("coordinates are projected to {}", input.projected));
   } else if (!options.as_is) {
     refuse_degrees(input.lines);
     if (input.boundary) refuse_degrees(*input.boundary);
   }
-  if (!options.project) note_different_systems(input.lines, input.notes);
-  if (!options.section.empty())
+  if (!options.project) input.system = find_common_system(input.lines, input.notes);
+  if (!options.section.empty()) {
     take_vertical_plane(input.lines, options.section);
-  else
+    input.system.clear();
+  } else {
     refuse_vertical_planes(input.lines);
+  }
   return input;
 }
 

@@ -15,6 +15,7 @@ struct SectionInput {
   LineSet lines;
   std::optional<LineSet> boundary;  // where the outline is a file
   std::string projected;            // the plane that degrees were brought to; "" if they were not
+  std::string system;               // of the coordinates as they are now; "" if unknown, or not one
   std::vector<std::string> notes;   // one line each: what the user should know
 };
 

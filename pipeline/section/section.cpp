@@ -146,6 +146,7 @@ void read_and_clean(const SectionOptions& options, SectionResult& result, StageC
   result.outline = find_outline(options, input, near);
   result.lines = std::move(input.lines);
   result.projected = std::move(input.projected);
+  result.system = std::move(input.system);
   result.lengths = resolve_lengths(options, box_of(result.outline), area_of(result.outline));
   result.cleaned = clean_lines(result.lines, result.outline,
                                {.snap = result.lengths.snap,

@@ -25,6 +25,7 @@ struct SectionResult {
   std::vector<LineGrouping> line_groups;
   LineSet lines;
   std::string projected;  // the plane that degrees were brought to; "" if they were not
+  std::string system;     // of the coordinates; "" if unknown
   CleanedLines cleaned;
   Outline outline;
   ResolvedLengths lengths;

@@ -36,6 +36,20 @@ TEST_F(CoordinateSystems, DefinitionsAreComparedByWhatTheyMean) {
   EXPECT_FALSE(same_system("a grid of our own", "EPSG:32635"));
 }
 
+TEST_F(CoordinateSystems, HaveNamesByWhatTheyMean) {
+  EXPECT_EQ(system_urn("EPSG:3067"), "urn:ogc:def:crs:EPSG::3067");
+  EXPECT_EQ(system_urn("OGC:CRS84"), "urn:ogc:def:crs:OGC:1.3:CRS84");
+  EXPECT_EQ(system_urn("a grid of our own"), "");
+  EXPECT_EQ(system_urn(""), "");
+  EXPECT_EQ(system_urn(R"(PROJCS["EUREF_FIN_TM35FIN",GEOGCS["GCS_ETRS_1989",DATUM["D_ETRS_1989",)"
+                       R"(SPHEROID["GRS_1980",6378137.0,298.257222101]],PRIMEM["Greenwich",0.0],)"
+                       R"(UNIT["Degree",0.0174532925199433]],PROJECTION["Transverse_Mercator"],)"
+                       R"(PARAMETER["False_Easting",500000.0],PARAMETER["False_Northing",0.0],)"
+                       R"(PARAMETER["Central_Meridian",27.0],PARAMETER["Scale_Factor",0.9996],)"
+                       R"(PARAMETER["Latitude_Of_Origin",0.0],UNIT["Meter",1.0]])"),
+            "urn:ogc:def:crs:EPSG::3067");
+}
+
 TEST_F(CoordinateSystems, DegreesComeToTheZoneOfTheirMiddle) {
   // The tower of Pisa, and its place in zone 32N (EPSG's own method, to a millimetre).
   LineSet lines = line("[[10.396597,43.723057],[10.406597,43.723057]]", "urn:ogc:def:crs:OGC:1.3:CRS84");

@@ -75,6 +75,7 @@ TEST_F(Ogr, ArcsFollowTheToleranceWhateverTheirRadius) {
     options.arc_tolerance = tolerance;
     const LineSet lines = read_lines({path}, options);
     ASSERT_EQ(lines.lines.size(), 2U);
+    EXPECT_EQ(lines.attributes_of(LineId(0U)).set, "faults");
     double largest = 0;
     for (std::size_t i = 0; i < 2; ++i) {
       const Vec2 centre = i == 0 ? Vec2{0, 0} : Vec2{5, 5};

@@ -73,5 +73,42 @@ TEST_F(LineInput, GroupsOfLinesHaveNamesInGmshAndAbaqusFiles) {
   }
 }
 
+TEST_F(LineInput, CleanedLinesKeepTheirAttributesAndTheCoordinateSystem) {
+  const std::string traces =
+      folder_.write("traces.wkt.csv",
+                    "wkt,name,aperture\n\"SRID=3067;LINESTRING (10 10, 90 80)\",\"say \"\"A\"\"\",0.5\n"
+                    "\"SRID=3067;LINESTRING (10 80, 90 10)\",,\n");
+  expect_done({"clean", traces, "-o", folder_ / "clean.geojson", "--size", "10"});
+  const Json clean = Json::parse(read_text(folder_ / "clean.geojson"));
+  EXPECT_EQ(clean["crs"]["properties"]["name"], "urn:ogc:def:crs:EPSG::3067");
+  for (const Json& feature : clean["features"]) {
+    const Json& properties = feature["properties"];
+    const bool named = properties["lines"] == Json::array({0});
+    EXPECT_EQ(properties.contains("name"), named);
+    if (named) {
+      EXPECT_EQ(properties["name"], "say \"A\"");
+      EXPECT_EQ(properties["aperture"], 0.5);
+    }
+  }
+  expect_done({"mesh", folder_ / "clean.geojson", "-o", folder_ / "a.msh", "--size", "10"});
+  EXPECT_NE(read_text(folder_ / "a.msh").find("name_say 'A'"), std::string::npos);
+}
+
+TEST_F(LineInput, DegreesAreRefusedInOneLineThatSaysWhatHelps) {
+  const std::string file = folder_.write("map.csv", "lon,lat,id\n33.1,-10.2,1\n33.2,-10.3,1\n");
+  const std::string out = folder_ / "a.vtu";
+  const CommandResult refused = run_quarry({"mesh", file, "-o", out, "--size", "500"});
+  EXPECT_EQ(refused.exit_code, 3);
+  EXPECT_EQ(refused.error_lines(), 1U) << refused.err;
+  EXPECT_NE(refused.err.find("--project"), std::string::npos) << refused.err;
+  expect_done({"mesh", file, "-o", out, "--size", "500", "--project", "--report", folder_ / "report.json"});
+  EXPECT_EQ(report()["options"]["project"], "EPSG:32736 (WGS 84 / UTM zone 36S)");
+  EXPECT_EQ(report()["input"]["coordinate_systems"][0], "OGC:CRS84");
+  expect_done({"mesh", file, "-o", out, "--size", "0.01", "--as-is"});
+  EXPECT_EQ(run_quarry({"mesh", file, "-o", out, "--size", "1", "--as-is", "--project"}).exit_code, 2);
+  expect_done({"clean", file, "-o", folder_ / "a.geojson", "--size", "500", "--project"});
+  EXPECT_NE(read_text(folder_ / "a.geojson").find("EPSG::32736"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace quarry
