@@ -183,7 +183,11 @@ void read_csv_lines(const LineSource& source, LineSet& lines) {
   read_number_row(first, numbers);
   if (numbers.problem.empty()) return read_bare_points(source, lines);
   const char delimiter = find_delimiter(first);
-  CsvReader(source, lines, delimiter != 0 ? delimiter : ',').read();
+  read_csv_table(source, delimiter != 0 ? delimiter : ',', lines);
+}
+
+void read_csv_table(const LineSource& source, char delimiter, LineSet& lines) {
+  CsvReader(source, lines, delimiter).read();
 }
 
 }  // namespace quarry

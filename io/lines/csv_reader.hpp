@@ -13,4 +13,7 @@ namespace quarry {
 // read_lines.
 void read_csv_lines(const LineSource& source, LineSet& lines);
 
+// The same for a table with names whose delimiter is known.
+void read_csv_table(const LineSource& source, char delimiter, LineSet& lines);
+
 }  // namespace quarry

@@ -11,7 +11,7 @@
 #include "engine/base/error.hpp"
 #include "io/child_process.hpp"
 #include "io/lines/coordinate_system.hpp"
-#include "io/lines/geojson_reader.hpp"
+#include "io/lines/csv_reader.hpp"
 #include "io/lines/line_format.hpp"
 #include "io/lines/ogr_layers.hpp"
 #include "io/lines/text_rows.hpp"
@@ -91,9 +91,18 @@ class OgrReader {
   }
 
   void read_layer(const std::string& layer) {
-    const std::string out = folder_.file("lines.geojson");
+    const std::string out = folder_.file("lines.csv");
     std::filesystem::remove(out);
-    std::vector<std::string> words = {"ogr2ogr", "--config", "OGR_ARC_STEPSIZE",
+    // Of the formats that take every sort of geometry in one file, well-known text keeps all digits.
+    std::vector<std::string> words = {"ogr2ogr",
+                                      "--config",
+                                      "OGR_WKT_PRECISION",
+                                      "17",
+                                      "--config",
+                                      "OGR_WKT_ROUND",
+                                      "FALSE",
+                                      "--config",
+                                      "OGR_ARC_STEPSIZE",
                                       fmt::format("{}", kArcStepDegrees)};
     if (options_.arc_tolerance) {
       // Arcs of small radius follow the step, others the length of the chords. Farthest from its chord is the
@@ -102,13 +111,13 @@ class OgrReader {
       words.insert(words.end(), {"--config", "OGR_ARC_MAX_GAP",
                                  fmt::format("{}", 2 * *options_.arc_tolerance / std::tan(step / 4))});
     }
-    words.insert(words.end(), {"-f", "GeoJSON", "-lco", "RFC7946=NO", "-lco", "SIGNIFICANT_FIGURES=17",
-                               "-nlt", "CONVERT_TO_LINEAR", out, path_, layer});
+    words.insert(words.end(),
+                 {"-f", "CSV", "-lco", "GEOMETRY=AS_WKT", "-nlt", "CONVERT_TO_LINEAR", out, path_, layer});
     run(std::move(words), "said");
     const MappedFile file(out);
     LineSource source = source_;
     source.text = file.text();
-    read_geojson_lines(source, lines_);
+    read_csv_table(source, ',', lines_);
   }
 
   const LineSource& source_;

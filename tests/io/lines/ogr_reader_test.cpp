@@ -38,7 +38,7 @@ class Ogr : public LineFiles {
 
 const std::string kMap =
     R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::3067"}},"features":[)"
-    R"({"type":"Feature","properties":{"name":"A","aperture":0.1},"geometry":{"type":"MultiLineString","coordinates":[[[466000.1,6691582.2],[466001.3,6691583.4]],[[466002.7,6691580],[466004,6691583]]]}},)"
+    R"({"type":"Feature","properties":{"name":"A","aperture":0.1},"geometry":{"type":"MultiLineString","coordinates":[[[466001.5290999999,6691582.2],[466047.2650000006,6691583.4]],[[466002.7,6691580],[466004,6691583]]]}},)"
     R"({"type":"Feature","properties":{"set":"frame"},"geometry":{"type":"Polygon","coordinates":[[[465990,6691570],[466010,6691570],[466010,6691590],[465990,6691570]]]}}]})";
 
 TEST_F(Ogr, GeopackagesHaveTheSameLinesAsTheirSource) {
@@ -91,6 +91,20 @@ TEST_F(Ogr, ArcsFollowTheToleranceWhateverTheirRadius) {
     points_before = points_of(lines, 0).size();
   }
   EXPECT_GT(points_before, 100U);
+}
+
+TEST_F(Ogr, LayersMayHoldEverySortOfGeometryAndNone) {
+  const std::string source = save(
+      R"({"type":"FeatureCollection","features":[)"
+      R"({"type":"Feature","properties":{"a;b;c;d":"1,2\n3","name":"say \"A\""},"geometry":{"type":"LineString","coordinates":[[0,0],[1,1]]}},)"
+      R"({"type":"Feature","properties":{},"geometry":{"type":"Point","coordinates":[5,5]}},)"
+      R"({"type":"Feature","properties":{},"geometry":null},)"
+      R"({"type":"Feature","properties":{},"geometry":{"type":"GeometryCollection","geometries":[{"type":"Polygon","coordinates":[[[0,0],[9,0],[9,9],[0,0]]]}]}}]})",
+      "map.geojson");
+  const LineSet lines = read_lines({convert({"-f", "GPKG"}, source, "map.gpkg")});
+  ASSERT_EQ(lines.lines.size(), 2U);
+  EXPECT_EQ(lines.attributes_of(LineId(0U)).name, "say \"A\"");
+  EXPECT_TRUE(lines.lines[LineId(1U)].polygon_ring);
 }
 
 TEST_F(Ogr, WhatItCannotReadIsAnErrorThatSaysWhatCanBe) {
