@@ -22,9 +22,10 @@ constexpr auto kY =
 constexpr auto kLongitude = std::to_array<std::string_view>({"longitude", "lon", "long", "lng"});
 constexpr auto kLatitude = std::to_array<std::string_view>({"latitude", "lat"});
 constexpr auto kZ = std::to_array<std::string_view>({"z", "elevation", "height", "altitude", "point_z"});
-constexpr auto kLine =
-    std::to_array<std::string_view>({"line", "line_id", "lineid", "line id", "trace", "trace_id", "trace id",
-                                     "polyline", "polyline_id", "feature", "feature_id", "fid", "id"});
+constexpr auto kLine = std::to_array<std::string_view>(
+    {"line",     "line_id",     "lineid",  "line id",  "line_no",  "lineno",      "line_number", "trace",
+     "trace_id", "trace id",    "traceid", "trace_no", "polyline", "polyline_id", "feature",     "feature_id",
+     "fracture", "fracture_id", "fault",   "fault_id", "fid",      "objectid",    "id",          "part"});
 
 std::size_t find(const std::vector<std::string>& header, Words words) {
   for (const std::string_view word : words)

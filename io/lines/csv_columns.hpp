@@ -20,10 +20,10 @@ struct CsvColumns {
   [[nodiscard]] bool holds_lines() const { return wkt != kNone || (x != kNone && y != kNone); }
 };
 
-// In either case of letters: wkt, geometry, geom, the_geom, shape; x, easting, east, lon, longitude, long,
-// lng (point_x, x_coord, xcoord); the same for y (northing, lat, ...); z, elevation, height, altitude; line,
-// line_id, lineid, id, trace, trace_id, fid, polyline, polyline_id. Where several fit, the first word of
-// these lists that a column has.
+// In either case of letters: wkt, geometry, geom, ...; x, easting, lon, ...; y, northing, lat, ...; z,
+// elevation,
+// ...; line, line_id, trace, fracture, fault, feature, fid, id, ... (all words stand in the source). Where
+// several fit, the first word of these lists that a column has.
 [[nodiscard]] CsvColumns find_csv_columns(const std::vector<std::string>& header);
 
 }  // namespace quarry

@@ -94,7 +94,10 @@ class CsvReader {
     if (geometry.problem.empty() && geometry.end < text.size())
       geometry.problem =
           fmt::format("\"{}\" after a geometry", trimmed(text.substr(geometry.end)).substr(0, 40));
-    if (!geometry.problem.empty()) source_.fail_at(rows_.number(), geometry.problem);
+    if (!geometry.problem.empty())
+      source_.fail_at(rows_.number(), geometry.problem + (text.find(')') == std::string_view::npos
+                                                              ? "; with commas it has to stand in quotes"
+                                                              : ""));
     if (!geometry.system.empty()) system_ = geometry.system;
     take_attributes();
     attributes_.assign(first, lines_);

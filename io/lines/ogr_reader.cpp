@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -94,22 +95,18 @@ class OgrReader {
     const std::string out = folder_.file("lines.csv");
     std::filesystem::remove(out);
     // Of the formats that take every sort of geometry in one file, well-known text keeps all digits.
-    std::vector<std::string> words = {"ogr2ogr",
-                                      "--config",
-                                      "OGR_WKT_PRECISION",
-                                      "17",
-                                      "--config",
-                                      "OGR_WKT_ROUND",
-                                      "FALSE",
-                                      "--config",
-                                      "OGR_ARC_STEPSIZE",
-                                      fmt::format("{}", kArcStepDegrees)};
+    std::vector<std::string> words = {"ogr2ogr"};
+    const auto configure = [&](const char* key, std::string value) {
+      words.insert(words.end(), {"--config", key, std::move(value)});
+    };
+    configure("OGR_WKT_PRECISION", "17");
+    configure("OGR_WKT_ROUND", "FALSE");
+    configure("OGR_ARC_STEPSIZE", fmt::format("{}", kArcStepDegrees));
     if (options_.arc_tolerance) {
-      // Arcs of small radius follow the step, others the length of the chords. Farthest from its chord is the
-      // arc for which both are the same, by a quarter of the step's tangent times half the chord.
+      // Small arcs have chords of this step, large ones chords of the gap. Farthest from its chord is the arc
+      // for which both are the same: by half the gap times the tangent of a quarter of the step.
       const double step = kArcStepDegrees * std::numbers::pi / 180;
-      words.insert(words.end(), {"--config", "OGR_ARC_MAX_GAP",
-                                 fmt::format("{}", 2 * *options_.arc_tolerance / std::tan(step / 4))});
+      configure("OGR_ARC_MAX_GAP", fmt::format("{}", 2 * *options_.arc_tolerance / std::tan(step / 4)));
     }
     words.insert(words.end(),
                  {"-f", "CSV", "-lco", "GEOMETRY=AS_WKT", "-nlt", "CONVERT_TO_LINEAR", out, path_, layer});

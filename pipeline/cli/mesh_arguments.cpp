@@ -185,8 +185,9 @@ void add_line_options(CLI::App& command, SectionOptions& section) {
     return command.add_option(name, value, help)->type_name(type);
   };
   option("inputs", section.inputs, "FILE",
-         "lines or polygons: GeoJSON, Shapefile, WKT, CSV, FracPaQ, Triangle .poly, GOCAD .pl; - is standard "
-         "input");
+         "lines or polygons: GeoJSON, Shapefile, WKT, CSV, FracPaQ, Triangle .poly, GOCAD .pl; by ogr2ogr, "
+         "where it "
+         "is installed, what GDAL knows; - is standard input");
   const char* place = "Coordinates";
   command.add_flag("--project", section.project, "degrees are projected to metres, in the local UTM zone")
       ->group(place);

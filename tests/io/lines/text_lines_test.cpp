@@ -110,6 +110,7 @@ TEST_F(TextLines, CsvErrorsNameTheRow) {
   EXPECT_MESSAGE(error_of("x,y,line\n0,0,1\n1,1,\"1\n", "a.csv"), ":3: a quote does not end");
   EXPECT_MESSAGE(error_of("x,y,line\n0,0,1\n", "a.csv"), ":2: a line of one point");
   EXPECT_MESSAGE(error_of("wkt,id\n\"LINESTRING (0 0, 1 1) x\",1\n", "a.csv"), ":2: \"x\" after a geometry");
+  EXPECT_MESSAGE(error_of("id,wkt\n1,LINESTRING (0 0, 1 1)\n", "a.csv"), "in quotes");
   EXPECT_MESSAGE(error_of("1,5;2,5\n", "a.csv"), "name the columns");
 }
 

@@ -34,7 +34,7 @@ class SectionInputs : public testing::Test {
     return "no error";
   }
 
-  const std::string kDegrees = "lon,lat,id\n33.1,-10.2,1\n33.2,-10.3,1\n";
+  const std::string degrees_ = "lon,lat,id\n33.1,-10.2,1\n33.2,-10.3,1\n";
   std::filesystem::path folder_;
 };
 
@@ -42,7 +42,7 @@ class SectionInputs : public testing::Test {
 
 TEST_F(SectionInputs, DegreesAreRefusedProjectedOrTakenAsTheyAre) {
   SectionOptions options;
-  options.inputs = {save("a.csv", kDegrees)};
+  options.inputs = {save("a.csv", degrees_)};
   options.size = 1;
   const std::string message = error_of(options);
   EXPECT_PART(message, "3 ");
@@ -62,7 +62,7 @@ TEST_F(SectionInputs, DegreesAreRefusedProjectedOrTakenAsTheyAre) {
 
 TEST_F(SectionInputs, TheOutlineIsProjectedWithTheLines) {
   SectionOptions options;
-  options.inputs = {save("a.csv", kDegrees)};
+  options.inputs = {save("a.csv", degrees_)};
   options.boundary = save("frame.csv", "lon,lat\n33,-10\n34,-10\n34,-11\n33,-10\n");
   options.project = true;
   EXPECT_GT(read(options).boundary.value().lines[LineId(0U)].points[0].y, 8e6);
