@@ -227,8 +227,8 @@ void read_geojson_lines(const LineSource& source, LineSet& lines) {
   if (!tokens.top_is_object())
     throw Error(
         ErrorKind::kInput,
-        fmt::format("{}: not GeoJSON: the document is no object; bare lists of coordinates are read as "
-                    "{{\"type\":\"Polygon\",\"coordinates\":LIST}} or another type",
+        fmt::format("{}: not GeoJSON: the document is no object; a bare list of coordinates needs its type: "
+                    "{{\"type\":\"Polygon\",\"coordinates\":LIST}}",
                     source.name));
   // RFC 7946 knows longitude and latitude alone; files of plane coordinates without a word of it are as
   // common.
