@@ -20,12 +20,16 @@ void CsvRows::read_quoted(std::string& cell) {
   broken_ = true;
 }
 
+bool CsvRows::at_delimiter() const {
+  return text_[at_] == delimiter_ || (delimiter_ == ' ' && is_blank(text_[at_]));
+}
+
 void CsvRows::read_cell() {
-  while (at_ < text_.size() && is_blank(text_[at_]) && text_[at_] != delimiter_) ++at_;
+  while (at_ < text_.size() && is_blank(text_[at_]) && (delimiter_ == ' ' || text_[at_] != delimiter_)) ++at_;
   std::string cell;
   if (text_.substr(at_).starts_with('"')) read_quoted(cell);
   const std::size_t begin = at_;
-  while (at_ < text_.size() && text_[at_] != delimiter_ && text_[at_] != '\n' && text_[at_] != '\r') ++at_;
+  while (at_ < text_.size() && !at_delimiter() && text_[at_] != '\n' && text_[at_] != '\r') ++at_;
   cell += text_.substr(begin, at_ - begin);
   cells_.emplace_back(trimmed(cell));
 }
@@ -36,7 +40,7 @@ bool CsvRows::next() {
   cells_.clear();
   for (;;) {
     read_cell();
-    if (at_ == text_.size() || text_[at_] != delimiter_) break;
+    if (at_ == text_.size() || !at_delimiter()) break;
     ++at_;
   }
   if (at_ < text_.size()) {
@@ -61,6 +65,7 @@ char find_delimiter(std::string_view first_row) {
       best = delimiter;
     }
   }
+  if (best == 0 && trimmed(first_row).find(' ') != std::string_view::npos) return ' ';
   return best;
 }
 

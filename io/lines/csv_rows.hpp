@@ -24,6 +24,7 @@ class CsvRows {
   [[nodiscard]] bool broken() const { return broken_; }
 
  private:
+  [[nodiscard]] bool at_delimiter() const;
   void read_cell();
   void read_quoted(std::string& cell);
 
@@ -36,7 +37,8 @@ class CsvRows {
   bool broken_ = false;
 };
 
-// The delimiter that the first row has most of, outside of quotes; 0 if it has none.
+// The delimiter that the first row has most of, outside of quotes; ' ' for any number of blanks if it has
+// none of the others, and 0 if it has none at all.
 [[nodiscard]] char find_delimiter(std::string_view first_row);
 
 }  // namespace quarry

@@ -11,6 +11,7 @@
 #include <fmt/ranges.h>
 
 #include "io/input_text.hpp"
+#include "io/lines/csv_columns.hpp"
 #include "io/lines/csv_reader.hpp"
 #include "io/lines/csv_rows.hpp"
 #include "io/lines/fracpaq_reader.hpp"
@@ -63,6 +64,15 @@ bool looks_like_poly(const std::vector<double>& first, const std::vector<double>
          static_cast<double>(second.size()) == 3 + first[2] + first[3];
 }
 
+// Names of columns. Words between blanks are anything, unless some are names that we know.
+bool looks_like_header(std::string_view row) {
+  const char delimiter = find_delimiter(row);
+  if (delimiter == 0) return lower_case(row) == "wkt";
+  if (delimiter != ' ') return true;
+  CsvRows rows(row, delimiter);
+  return rows.next() && find_csv_columns(rows.cells()).holds_lines();
+}
+
 const LineFormat* format_of_table(std::string_view text) {
   TextRows rows(text);
   std::array<NumberRow, 2> first;
@@ -71,8 +81,7 @@ const LineFormat* format_of_table(std::string_view text) {
     const std::string_view row = trimmed(rows.row());
     if (row.empty() || row.front() == '#') continue;
     read_number_row(row, first[count]);
-    if (count == 0 && !first[0].problem.empty())
-      return find_delimiter(row) != 0 || lower_case(row) == "wkt" ? &kCsv : nullptr;
+    if (count == 0 && !first[0].problem.empty()) return looks_like_header(row) ? &kCsv : nullptr;
     ++count;
   }
   if (count == 0) return nullptr;

@@ -100,6 +100,14 @@ TEST_F(TextLines, CsvWithoutNamesIsPointsWithBlankRowsBetweenLines) {
   EXPECT_EQ(lines.lines[LineId(1U)].heights, (std::vector<double>{5, 5}));
 }
 
+TEST_F(TextLines, TablesMayHaveBlanksBetweenTheirColumns) {
+  const LineSet lines =
+      read("  X   Y  ID name\n 1.5  2   7 A \n\t3 \t4  7 A\n 5  6  8 \"B C\"\n 7  8  8 B\n", "map.txt");
+  ASSERT_EQ(lines.lines.size(), 2U);
+  EXPECT_EQ(points_of(lines, 0), (Points{{1.5, 2}, {3, 4}}));
+  EXPECT_EQ(lines.attributes_of(LineId(1U)).name, "B C");
+}
+
 TEST_F(TextLines, CsvErrorsNameTheRow) {
   EXPECT_MESSAGE(error_of("x,y,line\n0,0,1\n1,,1\n", "a.csv"), ":3: y is missing");
   EXPECT_MESSAGE(error_of("x,y,line\n0,0,1\nabc,1,1\n", "a.csv"), ":3: x is expected, not \"abc\"");
