@@ -23,7 +23,8 @@ MappedFile::MappedFile(const std::string& path) {
   const bool known = ::fstat(descriptor, &status) == 0;
   if (!known || !S_ISREG(status.st_mode)) {
     ::close(descriptor);
-    fail("it is not a file");
+    fail(known && S_ISDIR(status.st_mode) ? "it is a directory"
+                                          : "it is no regular file; give a pipe as - (standard input)");
   }
   size_ = static_cast<std::size_t>(status.st_size);
   if (size_ > 0) {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -16,22 +18,58 @@ using LineId = Id<struct LineKind>;    // an input line, in reading order across
 using NodeId = Id<struct NodeKind>;    // a point of the cleaned lines
 using PieceId = Id<struct PieceKind>;  // a straight segment between two nodes of the cleaned lines
 
+// What a file says of a line beside where it runs; what it does not say is empty.
+struct LineAttributes {
+  std::string name;
+  std::string set;
+  std::string material;
+  std::optional<double> aperture;  // in the file's unit, 0 or more
+
+  [[nodiscard]] bool empty() const {
+    return name.empty() && set.empty() && material.empty() && !aperture.has_value();
+  }
+  friend bool operator==(const LineAttributes&, const LineAttributes&) = default;
+};
+
+// Which plane the coordinates of a file lie in, as far as it says so.
+struct CoordinateSystem {
+  std::string
+      definition;  // as the file has it: WKT, "EPSG:3067", "urn:ogc:def:crs:..."; "" if it says nothing
+  bool geographic = false;  // coordinates are longitude and latitude in degrees
+  bool assumed = false;     // the file says nothing; this is what its format means then
+
+  friend bool operator==(const CoordinateSystem&, const CoordinateSystem&) = default;
+};
+
 // One line of the input: a LineString, a part of a MultiLineString or a ring of a polygon (closed: its last
 // point equals its first). It keeps its number for good, even if it is dropped.
 struct InputLine {
+  static constexpr std::uint32_t kNoAttributes = std::numeric_limits<std::uint32_t>::max();
+
   std::vector<Vec2> points;
-  std::vector<double> heights;  // one a point; empty if the file does not give all of them
-  std::uint32_t file = 0;       // index into LineSet::files
-  std::uint32_t feature = 0;    // number of the feature in its file, from 0
-  bool polygon_ring = false;    // a ring of a Polygon or MultiPolygon
-  bool hole = false;            // an inner ring
+  std::vector<double> heights;               // one a point; empty if the file does not give all of them
+  std::uint32_t file = 0;                    // index into LineSet::files
+  std::uint32_t feature = 0;                 // number of the feature in its file, from 0
+  bool polygon_ring = false;                 // a ring of a Polygon or MultiPolygon
+  bool hole = false;                         // an inner ring
+  std::uint32_t attributes = kNoAttributes;  // index into LineSet::attributes
 
   [[nodiscard]] bool closed() const { return points.size() > 2 && points.front() == points.back(); }
 };
 
 struct LineSet {
   std::vector<std::string> files;
+  // One a file, or none.
+  std::vector<CoordinateSystem> systems;
+  // Shared by the lines of a feature.
+  std::vector<LineAttributes> attributes;
   IdVector<LineId, InputLine> lines;
+
+  // Empty ones for a line of which the file says nothing.
+  [[nodiscard]] LineAttributes attributes_of(LineId id) const {
+    const std::uint32_t index = lines[id].attributes;
+    return index < attributes.size() ? attributes[index] : LineAttributes();
+  }
 
   [[nodiscard]] Box2 box() const {
     Box2 result;

@@ -1,16 +1,17 @@
 #include "io/lines/geojson_reader.hpp"
 
-#include <cstring>
+#include <array>
 #include <string_view>
+#include <utility>
 #include <vector>
 
-#include <cerrno>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "engine/base/error.hpp"
-#include "io/lines/byte_stream.hpp"
-#include "io/lines/geojson_coordinates.hpp"
+#include "io/lines/coordinate_system.hpp"
+#include "io/lines/line_attributes.hpp"
+#include "io/lines/nested_coordinates.hpp"
 
 namespace quarry {
 namespace {
@@ -22,12 +23,11 @@ std::string shortened(const std::string& text, std::size_t length) {
   return text.size() <= length ? text : "..." + text.substr(text.size() - length);
 }
 
-// Follows the objects that make up the collection; everything else, above all the properties of features, is
-// skipped by counting brackets.
+// Follows the objects that make up the collection and the properties of features; everything else is skipped
+// by counting brackets.
 class LineTokens : public nlohmann::json_sax<Json> {
  public:
-  LineTokens(const std::string& path, std::uint32_t file, LineSet& lines)
-      : path_(path), file_(file), lines_(lines) {}
+  LineTokens(const LineSource& source, LineSet& lines) : source_(source), lines_(lines) {}
 
   bool null() override { return other_value("null"); }
   bool boolean(bool value) override { return other_value(value ? "true" : "false"); }
@@ -37,8 +37,7 @@ class LineTokens : public nlohmann::json_sax<Json> {
   bool binary(binary_t&) override { return other_value("binary data"); }
 
   bool string(string_t& value) override {
-    if (skipped_ == 0 && !coordinates_open() && !objects_.empty() && objects_.back().key == Key::kType)
-      objects_.back().type = value;
+    if (skipped_ == 0 && !coordinates_open() && !objects_.empty()) take_text(objects_.back(), value);
     return other_value("a text");
   }
 
@@ -50,20 +49,24 @@ class LineTokens : public nlohmann::json_sax<Json> {
       return true;
     }
     top_seen_ = true;
+    Object object;
+    object.role = top ? Role::kGeometry : role_of_value();
+    object.first_line = lines_.lines.size();
     if (!top && objects_.back().key == Key::kFeatures) feature_ = next_feature_++;
-    objects_.emplace_back();
+    objects_.push_back(std::move(object));
     return true;
   }
 
   bool key(string_t& name) override {
     if (skipped_ > 0) return true;
     Object& object = objects_.back();
-    object.key = name == "type"          ? Key::kType
-                 : name == "coordinates" ? Key::kCoordinates
-                 : name == "features"    ? Key::kFeatures
-                 : name == "geometry"    ? Key::kGeometry
-                 : name == "geometries"  ? Key::kGeometries
-                                         : Key::kOther;
+    object.key = Key::kOther;
+    if (object.role == Role::kProperties || object.role == Role::kSystemProperties) {
+      object.property = name;
+      return true;
+    }
+    for (const auto& [text, key] : kKeys)
+      if (text == name && (object.role == Role::kGeometry || key == Key::kProperties)) object.key = key;
     if (object.key == Key::kCoordinates) object.coordinates.clear();
     return true;
   }
@@ -74,11 +77,12 @@ class LineTokens : public nlohmann::json_sax<Json> {
       return true;
     }
     const Object& object = objects_.back();
-    if (geojson_type_has_coordinates(object.type)) {
+    if (object.role == Role::kGeometry && type_has_coordinates(object.type)) {
       if (!object.coordinates.complete())
         fail_in_feature(fmt::format("a {} without coordinates", object.type));
-      check(object.coordinates.append_lines(object.type, file_, feature_, lines_));
+      check(object.coordinates.append_lines(object.type, source_.file, feature_, lines_));
     }
+    if (object.type == "Feature") attributes_.assign(object.first_line, lines_);
     objects_.pop_back();
     return true;
   }
@@ -125,19 +129,36 @@ class LineTokens : public nlohmann::json_sax<Json> {
       fail_in_feature(fmt::format("{}: not a number, near '{}' at byte {}: {}",
                                   objects_.back().coordinates.place(), shortened(token, 40), position,
                                   reason));
-    throw Error(ErrorKind::kInput, fmt::format("{}: broken JSON at byte {}, near '{}': {}", path_, position,
-                                               shortened(token, 40), reason));
+    throw Error(ErrorKind::kInput, fmt::format("{}: broken JSON at byte {}, near '{}': {}", source_.name,
+                                               position, shortened(token, 40), reason));
   }
 
   [[nodiscard]] bool top_is_object() const { return top_seen_; }
+  // The name of the coordinate system; "" if the file names none.
+  [[nodiscard]] const std::string& system() const { return system_; }
+  [[nodiscard]] const AttributeCollector& attributes() const { return attributes_; }
 
  private:
-  enum class Key { kOther, kType, kCoordinates, kFeatures, kGeometry, kGeometries };
+  enum class Key { kOther, kType, kCoordinates, kFeatures, kGeometry, kGeometries, kProperties, kSystem };
+  static constexpr std::array<std::pair<std::string_view, Key>, 7> kKeys = {
+      {{"type", Key::kType},
+       {"coordinates", Key::kCoordinates},
+       {"features", Key::kFeatures},
+       {"geometry", Key::kGeometry},
+       {"geometries", Key::kGeometries},
+       {"properties", Key::kProperties},
+       {"crs", Key::kSystem}}};
+  // What an object is: a geometry, feature or collection; the properties of a feature; the member "crs", and
+  // the properties of that.
+  enum class Role { kGeometry, kProperties, kSystem, kSystemProperties };
   struct Object {
+    Role role = Role::kGeometry;
     Key key = Key::kOther;
     bool in_list = false;  // within the array of "features" or "geometries"
+    std::size_t first_line = 0;
     std::string type;
-    GeojsonCoordinates coordinates;
+    std::string property;  // the key of a property
+    NestedCoordinates coordinates;
   };
   static constexpr int kNumberOverflow = 406;
 
@@ -146,11 +167,30 @@ class LineTokens : public nlohmann::json_sax<Json> {
            objects_.back().coordinates.open();
   }
   [[nodiscard]] bool expects_object() const {
-    return !objects_.empty() && (objects_.back().in_list || objects_.back().key == Key::kGeometry);
+    if (objects_.empty()) return false;
+    const Object& object = objects_.back();
+    return object.in_list || object.key == Key::kGeometry || object.key == Key::kProperties ||
+           object.key == Key::kSystem;
+  }
+  // Of the object that the open key of the last one begins.
+  [[nodiscard]] Role role_of_value() const {
+    const Object& object = objects_.back();
+    if (object.key == Key::kSystem) return Role::kSystem;
+    if (object.key != Key::kProperties) return Role::kGeometry;
+    return object.role == Role::kSystem ? Role::kSystemProperties : Role::kProperties;
+  }
+
+  void take_text(Object& object, const std::string& value) {
+    if (object.role == Role::kProperties) attributes_.set(object.property, value);
+    if (object.role == Role::kSystemProperties && object.property == "name") system_ = value;
+    if (object.role == Role::kGeometry && object.key == Key::kType) object.type = value;
   }
 
   bool number(double value) {
-    if (coordinates_open()) check(objects_.back().coordinates.number(value));
+    if (coordinates_open())
+      check(objects_.back().coordinates.number(value));
+    else if (skipped_ == 0 && !objects_.empty() && objects_.back().role == Role::kProperties)
+      attributes_.set(objects_.back().property, value);
     return true;
   }
   bool other_value(std::string_view what) {
@@ -165,13 +205,14 @@ class LineTokens : public nlohmann::json_sax<Json> {
   }
   [[noreturn]] void fail_in_feature(const std::string& problem) const {
     throw Error(ErrorKind::kInput,
-                fmt::format("{}: feature {}: {}; correct or remove it", path_, feature_, problem));
+                fmt::format("{}: feature {}: {}; correct or remove it", source_.name, feature_, problem));
   }
 
-  const std::string& path_;
-  std::uint32_t file_;
+  const LineSource& source_;
   LineSet& lines_;
   std::vector<Object> objects_;
+  AttributeCollector attributes_;
+  std::string system_;
   std::size_t skipped_ = 0;  // open brackets within a value that is not followed
   std::uint32_t feature_ = 0;
   std::uint32_t next_feature_ = 0;
@@ -180,13 +221,21 @@ class LineTokens : public nlohmann::json_sax<Json> {
 
 }  // namespace
 
-void read_geojson_lines(const std::string& path, std::uint32_t file, LineSet& lines) {
-  ByteStream stream(path);
-  if (stream.blank()) throw Error(ErrorKind::kInput, fmt::format("{}: the file is empty", path));
-  LineTokens tokens(path, file, lines);
-  Json::sax_parse(stream.begin(), stream.end(), &tokens);
+void read_geojson_lines(const LineSource& source, LineSet& lines) {
+  LineTokens tokens(source, lines);
+  Json::sax_parse(source.text.begin(), source.text.end(), &tokens);
   if (!tokens.top_is_object())
-    throw Error(ErrorKind::kInput, fmt::format("{}: not GeoJSON: the document is no object", path));
+    throw Error(
+        ErrorKind::kInput,
+        fmt::format("{}: not GeoJSON: the document is no object; a bare list of coordinates needs its type: "
+                    "{{\"type\":\"Polygon\",\"coordinates\":LIST}}",
+                    source.name));
+  // RFC 7946 knows longitude and latitude alone; files of plane coordinates without a word of it are as
+  // common.
+  lines.systems[source.file] = describe_system(tokens.system());
+  if (tokens.system().empty() && look_like_degrees(lines, source.file))
+    lines.systems[source.file] = {"OGC:CRS84", true, true};
+  tokens.attributes().tell(source.name);
 }
 
 }  // namespace quarry

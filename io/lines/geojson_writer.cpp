@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <iterator>
 #include <span>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
 
 #include "io/atomic_file.hpp"
 
@@ -72,11 +74,37 @@ class Chains {
   std::vector<bool> used_;
 };
 
+// A text in quotes. Bytes that are no UTF-8 are replaced.
+std::string quoted(const std::string& text) {
+  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+// Properties, each with a comma before it.
+std::string attribute_text(const LineSet* input, std::span<const LineId> numbers) {
+  if (input == nullptr) return {};
+  for (const LineId line : numbers) {
+    const LineAttributes attributes = input->attributes_of(line);
+    if (attributes.empty()) continue;
+    std::string text;
+    if (!attributes.name.empty()) text += fmt::format(",\"name\":{}", quoted(attributes.name));
+    if (!attributes.set.empty()) text += fmt::format(",\"set\":{}", quoted(attributes.set));
+    if (!attributes.material.empty()) text += fmt::format(",\"material\":{}", quoted(attributes.material));
+    if (attributes.aperture) text += fmt::format(",\"aperture\":{}", *attributes.aperture);
+    return text;
+  }
+  return {};
+}
+
 }  // namespace
 
-void write_lines_geojson(const std::string& path, const NodedLines& lines) {
+void write_lines_geojson(const std::string& path, const NodedLines& lines,
+                         const GeojsonWriteOptions& options) {
   AtomicFile file(path);
-  file.write("{\"type\":\"FeatureCollection\",\"features\":[\n");
+  file.write("{\"type\":\"FeatureCollection\",");
+  if (!options.system.empty())
+    file.write(
+        fmt::format("\"crs\":{{\"type\":\"name\",\"properties\":{{\"name\":{}}}}},", quoted(options.system)));
+  file.write("\"features\":[\n");
   Chains chains(lines);
   bool first = true;
   for (const PieceId id : IdRange<PieceId>(lines.pieces.size())) {
@@ -86,9 +114,10 @@ void write_lines_geojson(const std::string& path, const NodedLines& lines) {
     for (const LineId line : lines.numbers(id)) numbers.push_back(line.value());
     fmt::memory_buffer text;
     fmt::format_to(std::back_inserter(text),
-                   "{}{{\"type\":\"Feature\",\"properties\":{{\"lines\":[{}],\"kind\":\"{}\"}},",
+                   "{}{{\"type\":\"Feature\",\"properties\":{{\"lines\":[{}],\"kind\":\"{}\"{}}},",
                    first ? "" : ",\n", fmt::join(numbers, ","),
-                   lines.pieces[id].kind == PieceKindOf::kOutline ? "outline" : "interior");
+                   lines.pieces[id].kind == PieceKindOf::kOutline ? "outline" : "interior",
+                   attribute_text(options.input, lines.numbers(id)));
     fmt::format_to(std::back_inserter(text), "\"geometry\":{{\"type\":\"LineString\",\"coordinates\":[");
     for (std::size_t i = 0; i < chain.size(); ++i) {
       const Vec2 point = lines.nodes[chain[i]];

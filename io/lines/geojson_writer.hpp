@@ -7,10 +7,19 @@
 
 namespace quarry {
 
+struct GeojsonWriteOptions {
+  // The lines before cleaning: a chain gets the name, set, material and aperture of the first of its lines
+  // that has any.
+  const LineSet* input = nullptr;
+  // The member "crs"; "" for none.
+  std::string system;
+};
+
 // Writes one LineString for each longest chain of pieces that bear the same line numbers and are of the same
 // kind, with the properties "lines" (numbers of the input lines that run along it, ascending) and "kind"
 // ("interior" or "outline"). A chain ends where three pieces meet. Coordinates are written so that reading
 // gives the same bits. Throws Error(kOutput); the file appears whole or not at all.
-void write_lines_geojson(const std::string& path, const NodedLines& lines);
+void write_lines_geojson(const std::string& path, const NodedLines& lines,
+                         const GeojsonWriteOptions& options = {});
 
 }  // namespace quarry

@@ -1,8 +1,6 @@
 #include "io/lines/line_reader.hpp"
 
 #include <algorithm>
-#include <array>
-#include <filesystem>
 #include <string_view>
 
 #include <cctype>
@@ -11,49 +9,59 @@
 
 #include "engine/base/error.hpp"
 #include "engine/base/log.hpp"
-#include "io/lines/geojson_reader.hpp"
+#include "io/input_text.hpp"
+#include "io/lines/line_format.hpp"
 
 namespace quarry {
 namespace {
 
-struct LineFormat {
-  std::string_view extension;
-  void (*read)(const std::string& path, std::uint32_t file, LineSet& lines);
-};
+std::string_view without_byte_order_mark(std::string_view text) {
+  constexpr std::string_view kMark = "\xEF\xBB\xBF";
+  if (text.starts_with(kMark)) text.remove_prefix(kMark.size());
+  return text;
+}
 
-constexpr std::array kFormats{LineFormat{".geojson", read_geojson_lines},
-                              LineFormat{".json", read_geojson_lines}};
+[[noreturn]] void fail(const std::string& path, const std::string& message) {
+  throw Error(ErrorKind::kInput, fmt::format("{}: {}", input_name(path), message));
+}
 
-const LineFormat& format_of(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  for (const LineFormat& format : kFormats)
-    if (format.extension == extension) return format;
-  std::vector<std::string_view> known;
-  for (const LineFormat& format : kFormats) known.push_back(format.extension);
-  throw Error(ErrorKind::kInput, fmt::format("{}: no reader for lines in '{}' files; supported: {}", path,
-                                             extension, fmt::join(known, ", ")));
+const LineFormat& format_of(const std::string& path, std::string_view text) {
+  if (const LineFormat* format = line_format_of_extension(path)) return *format;
+  if (const LineFormat* format = line_format_of_text(text)) return *format;
+  fail(path,
+       "its first rows look like no format of lines that is known: GeoJSON, WKT, CSV with names of columns "
+       "(x,y,line or wkt), FracPaQ, Triangle .poly or GOCAD .pl");
+}
+
+void read_file(const std::string& path, const OgrOptions& options, LineSet& lines) {
+  LineSource source;
+  source.name = input_name(path);
+  source.file = static_cast<std::uint32_t>(lines.files.size());
+  lines.files.push_back(source.name);
+  lines.systems.emplace_back();
+  if (is_read_by_ogr(path)) return read_ogr_lines(source, options, lines);
+  const InputText input(path);
+  source.text = without_byte_order_mark(input.text());
+  if (std::ranges::all_of(source.text, [](unsigned char c) { return std::isspace(c) != 0; }))
+    fail(path, "the file is empty");
+  format_of(path, source.text).read(source, lines);
 }
 
 }  // namespace
 
-LineSet read_lines(const std::vector<std::string>& paths) {
+LineSet read_lines(const std::vector<std::string>& paths, const OgrOptions& options) {
   LineSet result;
   for (const std::string& path : paths) {
-    const auto file = static_cast<std::uint32_t>(result.files.size());
     const std::size_t before = result.lines.size();
-    const LineFormat& format = format_of(path);
-    result.files.push_back(path);
-    format.read(path, file, result);
-    if (result.lines.size() == before && paths.size() > 1) log::warn("{}: holds no lines", path);
+    read_file(path, options, result);
+    if (result.lines.size() == before && paths.size() > 1) log::warn("{}: holds no lines", input_name(path));
   }
   if (result.lines.empty())
     throw Error(
         ErrorKind::kInput,
         fmt::format("{}: no lines in the input; give a file with LineString, MultiLineString, Polygon "
                     "or MultiPolygon features",
-                    fmt::join(paths, ", ")));
+                    fmt::join(result.files, ", ")));
   return result;
 }
 

@@ -5,11 +5,13 @@
 #include <cctype>
 #include <fmt/format.h>
 
+#include "io/lower_case.hpp"
 #include "io/mapped_file.hpp"
 #include "io/mesh/group_name.hpp"
 #include "io/mesh/inp_format.hpp"
 #include "io/mesh/inp_line.hpp"
 #include "io/mesh/inp_sets.hpp"
+#include "io/mesh/line_group_names.hpp"
 #include "io/mesh/number_index.hpp"
 #include "io/text_cursor.hpp"
 
@@ -246,9 +248,7 @@ class InpReader {
   // The number of a set's group; ours are written in lower case and read in any.
   std::int32_t group(GroupNumbers& numbers, const std::string& name, std::int32_t none) {
     if (name.empty()) return none;
-    std::string lower = name;
-    std::transform(lower.begin(), lower.end(), lower.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string lower = lower_case(name);
     const bool ours =
         lower.starts_with("region_") || lower.starts_with("line_") || lower == kOuterBoundaryName;
     return numbers.number(ours ? lower : name);
@@ -306,7 +306,11 @@ class InpReader {
   }
 
   void add_surfaces() {
+    // Groups of lines tell nothing new where the lines themselves are there.
+    const bool lines = std::ranges::any_of(
+        surfaces_, [](const SurfacePart& part) { return lower_case(part.name).starts_with("line_"); });
     for (const SurfacePart& part : surfaces_) {
+      if (lines && is_line_group_name(part.name)) continue;
       const std::int32_t number = group(lines_, part.name, -1);
       const auto add_side = [&](std::int64_t element) {
         const std::uint32_t face = face_of_.find(element);

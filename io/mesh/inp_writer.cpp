@@ -7,6 +7,7 @@
 #include "io/mesh/group_name.hpp"
 #include "io/mesh/grouped_entities.hpp"
 #include "io/mesh/inp_format.hpp"
+#include "io/mesh/line_group_names.hpp"
 #include "io/text_output.hpp"
 
 namespace quarry {
@@ -41,6 +42,7 @@ class InpWriter {
     std::size_t next = grouped_.faces.size() + 1;
     for (const EdgeGroup& group : grouped_.edge_groups) next = write_edges(group, next);
     write_node_sets();
+    write_line_groups();
     file_.commit();
   }
 
@@ -88,11 +90,7 @@ class InpWriter {
       else
         apart.push_back(grouped_.edges[i]);
     }
-    if (!sides.empty()) file_.write(fmt::format("*SURFACE, TYPE=ELEMENT, NAME={}\n", name));
-    write_lines(file_, sides.size(), [&](TextLine line, std::size_t i) {
-      line << element_of_[sides[i].face()] << (mesh_.planar() ? ", S" : ", E") << sides[i].index() + 1
-           << "\n";
-    });
+    write_surface(name, sides);
     if (!apart.empty())
       file_.write(fmt::format("*ELEMENT, TYPE={}, ELSET={}\n", mesh_.planar() ? "T2D2" : "T3D2", name));
     write_lines(file_, apart.size(), [&](TextLine line, std::size_t i) {
@@ -134,6 +132,29 @@ class InpWriter {
       const std::size_t end = std::min(nodes.size(), (i + 1) * kInLine);
       for (std::size_t k = i * kInLine; k < end; ++k) line << nodes[k] << (k + 1 < end ? ", " : ",\n");
     });
+  }
+
+  void write_surface(const std::string& name, const std::vector<SideId>& sides) {
+    if (sides.empty()) return;
+    file_.write(fmt::format("*SURFACE, TYPE=ELEMENT, NAME={}\n", name));
+    write_lines(file_, sides.size(), [&](TextLine line, std::size_t i) {
+      line << element_of_[sides[i].face()] << (mesh_.planar() ? ", S" : ", E") << sides[i].index() + 1
+           << "\n";
+    });
+  }
+
+  // A piece of several lines of a group is in it once.
+  void write_line_groups() {
+    const LineGroupNames groups(mesh_, options_.line_groups);
+    std::vector<std::vector<SideId>> sides(groups.all().size());
+    for (const EdgeId e : grouped_.edges)
+      if (const SideId side = side_of(e); side.valid())
+        for (const std::size_t group : groups.of(e)) sides[group].push_back(side);
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+      std::ranges::sort(sides[i]);
+      sides[i].erase(std::ranges::unique(sides[i]).begin(), sides[i].end());
+      write_surface(word_of(groups.all()[i]), sides[i]);
+    }
   }
 
   AtomicFile file_;

@@ -32,10 +32,18 @@ enum class ElementOrder { kLinear, kQuadratic, kBiquadratic };
 // Programs that want a format in a form of their own: OpenGeoSys (.vtu), MOOSE (.msh).
 enum class MeshConsumer { kAny, kOpenGeoSys, kMoose };
 
+// Groups of lines beside the lines themselves. The edge tag of this name (int32) holds for each edge an index
+// into the names, or -1.
+struct LineGrouping {
+  std::string tag;
+  std::vector<std::string> names;
+};
+
 struct MeshWriteOptions {
   // Where the format has a place for them.
   std::vector<FieldText> fields = {};
   GroupNames names = {};
+  std::vector<LineGrouping> line_groups = {};
   // One value for each face slot; empty: not written. Formats without cell data leave them out.
   std::span<const double> scaled_jacobian = {};
   // zlib, where the format knows it. The bytes do not depend on the number of threads.
@@ -44,6 +52,9 @@ struct MeshWriteOptions {
   ElementOrder order = ElementOrder::kLinear;
   MeshConsumer consumer = MeshConsumer::kAny;
 };
+
+// The edge tag with the apertures of lines (double; NaN where none is given), where a mesh has it.
+inline constexpr const char* kApertureTag = "aperture";
 
 // Values of the edge tag "kind".
 inline constexpr std::int32_t kInteriorConstraint = 1;

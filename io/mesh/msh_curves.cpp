@@ -23,7 +23,8 @@ std::size_t line_group(const EdgeGroup& group, const EdgeGroup* before, const Gr
 
 }  // namespace
 
-MshCurves curves_by_line(const GroupedEntities& grouped, const GroupNames& names) {
+MshCurves curves_by_line(const GroupedEntities& grouped, const GroupNames& names,
+                         const LineGroupNames& line_groups) {
   MshCurves result;
   result.names.emplace_back(kOuterBoundaryName);
   const EdgeGroup* before = nullptr;
@@ -37,6 +38,12 @@ MshCurves curves_by_line(const GroupedEntities& grouped, const GroupNames& names
     curve.edges.assign(edges.begin(), edges.end());
     result.curves.push_back(std::move(curve));
   }
+  const std::size_t first = result.names.size() + 1;
+  result.names.insert(result.names.end(), line_groups.all().begin(), line_groups.all().end());
+  for (std::size_t i = 0; i < result.curves.size(); ++i)
+    // All edges of a line are in the same groups.
+    for (const std::size_t group : line_groups.of(grouped.edges[grouped.edge_groups[i].begin]))
+      result.curves[i].groups.push_back(first + group);
   return result;
 }
 

@@ -8,6 +8,7 @@
 #include "engine/base/error.hpp"
 #include "io/mapped_file.hpp"
 #include "io/mesh/group_name.hpp"
+#include "io/mesh/line_group_names.hpp"
 #include "io/mesh/msh_format.hpp"
 #include "io/mesh/number_index.hpp"
 #include "io/mesh/read_cells.hpp"
@@ -215,6 +216,11 @@ class MshReader {
           type));
   }
 
+  [[nodiscard]] std::string_view name_of(int dimension, std::int64_t tag) const {
+    const auto name = names_.find({dimension, tag});
+    return name == names_.end() ? std::string_view() : std::string_view(name->second);
+  }
+
   // The region or line number that a group stands for.
   std::int32_t number_of_group(int dimension, std::int64_t tag) {
     GroupNumbers& numbers = dimension == 1 ? lines_ : regions_;
@@ -228,8 +234,13 @@ class MshReader {
   std::vector<std::int32_t> numbers_of_entity(int dimension, std::int64_t tag) {
     const auto entity = groups_of_entity_.find({dimension, tag});
     std::vector<std::int32_t> numbers;
-    if (entity != groups_of_entity_.end())
-      for (const std::int64_t group : entity->second) numbers.push_back(number_of_group(dimension, group));
+    if (entity != groups_of_entity_.end()) {
+      const auto is_line = [&](std::int64_t group) { return name_of(dimension, group).starts_with("line_"); };
+      const bool lines = dimension == 1 && std::ranges::any_of(entity->second, is_line);
+      for (const std::int64_t group : entity->second)
+        if (!lines || !is_line_group_name(name_of(dimension, group)))
+          numbers.push_back(number_of_group(dimension, group));
+    }
     if (std::any_of(numbers.begin(), numbers.end(), [](std::int32_t n) { return n != -1; }))
       std::erase(numbers, -1);
     if (numbers.empty())

@@ -6,6 +6,7 @@
 #include "io/mesh/cell_nodes.hpp"
 #include "io/mesh/group_name.hpp"
 #include "io/mesh/grouped_entities.hpp"
+#include "io/mesh/line_group_names.hpp"
 #include "io/mesh/msh_curves.hpp"
 #include "io/mesh/msh_format.hpp"
 #include "io/text_output.hpp"
@@ -41,7 +42,7 @@ class MshWriter {
         grouped_(group_entities(mesh, numbering_)),
         lines_(options.consumer == MeshConsumer::kMoose
                    ? curves_for_moose(fracture_groups(mesh, numbering_, grouped_, options.names))
-                   : curves_by_line(grouped_, options.names)) {
+                   : curves_by_line(grouped_, options.names, LineGroupNames(mesh, options.line_groups))) {
     for (const FaceGroup& group : grouped_.face_groups)
       if (regions_.empty() || regions_.back() != group.region) regions_.push_back(group.region);
   }

@@ -218,6 +218,18 @@ VtuArrays make_vtu_arrays(const Mesh& mesh, const LiveNumbering& numbering, cons
         "scaled_jacobian", cells, [&numbering, values = options.scaled_jacobian, faces](std::size_t i) {
           return i < faces ? values[numbering.face(i).value()] : std::numeric_limits<double>::quiet_NaN();
         }));
+  for (const LineGrouping& group : options.line_groups)
+    if (const auto tag = mesh.find_tag<EdgeId, std::int32_t>(group.tag); tag.valid())
+      arrays.cell_data.push_back(
+          scalar_array<std::int32_t>(group.tag, cells, [&numbering, tag, faces](std::size_t i) {
+            return i < faces ? -1 : tag[numbering.edges()[i - faces]];
+          }));
+  if (const auto aperture = mesh.find_tag<EdgeId, double>(kApertureTag); aperture.valid())
+    arrays.cell_data.push_back(
+        scalar_array<double>(kApertureTag, cells, [&numbering, aperture, faces](std::size_t i) {
+          return i < faces ? std::numeric_limits<double>::quiet_NaN()
+                           : aperture[numbering.edges()[i - faces]];
+        }));
   return arrays;
 }
 

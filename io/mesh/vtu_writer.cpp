@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <span>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -44,13 +45,17 @@ std::string array_element(const VtuArray& array, std::uint64_t offset) {
 }
 
 // VTK reads a string as the codes of its characters, ended by 0.
-std::string field_element(const FieldText& field) {
+std::string field_element(const std::string& name, std::span<const std::string> texts) {
   std::string codes;
-  for (const char c : field.text) codes += fmt::format("{} ", static_cast<unsigned char>(c));
+  for (const std::string& text : texts) {
+    for (const char c : text) codes += fmt::format("{} ", static_cast<unsigned char>(c));
+    codes += "0 ";
+  }
+  if (!codes.empty()) codes.pop_back();
   return fmt::format(
-      "      <DataArray type=\"String\" Name=\"{}\" NumberOfTuples=\"1\" format=\"ascii\">\n        {}0\n"
+      "      <DataArray type=\"String\" Name=\"{}\" NumberOfTuples=\"{}\" format=\"ascii\">\n        {}\n"
       "      </DataArray>\n",
-      escape_xml(field.name), codes);
+      escape_xml(name), texts.size(), codes);
 }
 
 // Everything before the binary data; offsets holds one for each array in file order.
@@ -63,9 +68,11 @@ std::string header_text(const VtuArrays& arrays, const MeshWriteOptions& options
       "header_type=\"UInt64\"{}>\n"
       "  <UnstructuredGrid>\n",
       options.compress ? " compressor=\"vtkZLibDataCompressor\"" : "");
-  if (!options.fields.empty()) {
+  if (!options.fields.empty() || !options.line_groups.empty()) {
     text += "    <FieldData>\n";
-    for (const FieldText& field : options.fields) text += field_element(field);
+    for (const FieldText& field : options.fields) text += field_element(field.name, {&field.text, 1});
+    for (const LineGrouping& group : options.line_groups)
+      text += field_element(group.tag + "_names", group.names);
     text += "    </FieldData>\n";
   }
   text += fmt::format("    <Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n      <Points>\n",

@@ -16,7 +16,7 @@ struct SquareCornersOptions {
   // Faces may lose quality for others' sake down to this measure, and never below.
   double floor = 0.6;
   // The same for the longest edge by the shortest, of quads.
-  double largest_edge_ratio = 7;
+  double largest_edge_ratio = 6;
   // The pull towards the mean of the neighbours, which keeps sizes even, against that of the corners.
   double spring = 0.2;
   // The pull of each face's area towards the wanted one, which keeps sizes even where counts are not, against

@@ -3,6 +3,7 @@
 
 #include "engine/base/error.hpp"
 #include "engine/base/log.hpp"
+#include "io/lines/coordinate_system.hpp"
 #include "io/lines/geojson_writer.hpp"
 #include "pipeline/cli/commands.hpp"
 #include "pipeline/cli/config_file.hpp"
@@ -59,7 +60,7 @@ void run(CleanArguments& arguments) {
   const std::string hash = hash_inputs(arguments.section);
   const SectionResult result = clean_section(arguments.section, progress);
   progress.throw_if_cancelled();
-  write_lines_geojson(arguments.output, result.cleaned.lines);
+  write_lines_geojson(arguments.output, result.cleaned.lines, {&result.lines, system_urn(result.system)});
   write_job_report(arguments, result, hash);
   bar.clear();
   tell_lines(result);

@@ -85,7 +85,9 @@ void add_size_options(CLI::App& command, SizeOptions& sizes) {
   option("--refine-near", sizes.near, "GROUP:H:DISTANCE",
          "elements of size H up to a distance from the lines of a group, growing from there; the groups are "
          "\"lines\" "
-         "(all), and each input file by its name without ending; may be given several times")
+         "(all), each input file by its name without ending, and sets, names and materials of lines; may be "
+         "given "
+         "several times")
       ->allow_extra_args(false);
   option("--between-lines", sizes.between, "N",
          "where lines run close to each other, elements so small that about N fit between them");
@@ -139,10 +141,9 @@ void add_surface_options(CLI::App& command, MeshArguments& arguments) {
       ->type_name("ERROR")
       ->group(group);
   command
-      .add_option(
-          "--lines", arguments.lines,
-          "lines on or near the surface (GeoJSON) that become chains of edges; without heights they lie "
-          "where plumb lines meet the surface from above")
+      .add_option("--lines", arguments.lines,
+                  "lines on or near the surface that become chains of edges; without heights they lie "
+                  "where plumb lines meet the surface from above")
       ->type_name("FILE")
       ->group(group);
   command
@@ -199,7 +200,19 @@ void add_line_options(CLI::App& command, SectionOptions& section) {
   const auto option = [&](const char* name, auto& value, const char* type, const char* help) {
     return command.add_option(name, value, help)->type_name(type);
   };
-  option("inputs", section.inputs, "FILE", "GeoJSON files with lines or polygons");
+  option("inputs", section.inputs, "FILE",
+         "lines or polygons: GeoJSON, Shapefile, WKT, CSV, FracPaQ, Triangle .poly, GOCAD .pl; by ogr2ogr, "
+         "where it "
+         "is installed, what GDAL knows; - is standard input");
+  const char* place = "Coordinates";
+  command.add_flag("--project", section.project, "degrees are projected to metres, in the local UTM zone")
+      ->group(place);
+  command.add_flag("--as-is", section.as_is, "degrees are taken for lengths")
+      ->group(place)
+      ->excludes("--project");
+  option("--section", section.section, "x=VALUE|y=VALUE",
+         "the lines that stand in this vertical plane; their coordinates are y (or x) and height")
+      ->group(place);
   const char* group = "Lengths, in input units";
   option("--size", section.size, "H", "wanted length of an element's edge")->group(group);
   option("--snap", section.snap, "T",

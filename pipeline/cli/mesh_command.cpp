@@ -57,6 +57,7 @@ void write_mesh_file(const MeshArguments& arguments, const SectionResult& result
       {"quarry_version", QUARRY_VERSION},
       {"input_hash", hash},
       {"options", option_text(resolved_options(arguments.section, result)) + arguments.written.text()}};
+  options.line_groups = result.line_groups;
   options.scaled_jacobian = jacobians;
   write_mesh(arguments.output, result.mesh, options);
 }

@@ -11,6 +11,7 @@
 #include "engine/base/error.hpp"
 #include "engine/base/log.hpp"
 #include "engine/mesh/pinch.hpp"
+#include "io/lines/companion_file.hpp"
 #include "io/mesh/mesh_format.hpp"
 #include "io/page/page.hpp"
 #include "io/picture/picture.hpp"
@@ -45,6 +46,9 @@ void refuse_options_of_lines(const MeshArguments& arguments) {
   refuse(arguments.preset != "default", "--preset");
   refuse(section.fronts.has_value(), "--fronts");
   refuse(arguments.keep_boundary, "--keep-boundary");
+  refuse(section.project, "--project");
+  refuse(section.as_is, "--as-is");
+  refuse(!section.section.empty(), "--section");
   const auto not_built = [](bool given, const char* name) {
     if (given) fail_not_built(fmt::format("{} on a surface", name), "leave it out");
   };
@@ -140,7 +144,8 @@ bool is_surface(const std::vector<std::string>& inputs) {
 void run_mesh_surface(MeshArguments& arguments) {
   const SurfaceOptions options = options_of(arguments);
   std::vector<std::string> files = options.inputs;
-  files.insert(files.end(), options.lines.begin(), options.lines.end());
+  for (const std::string& lines : options.lines)
+    for (std::string& file : files_read_with(lines)) files.push_back(std::move(file));
   arguments.written.check(arguments.output);
   if (!arguments.repaired.empty()) check_writable_extension(arguments.repaired);
   if (!arguments.picture.empty()) check_picture_extension(arguments.picture);

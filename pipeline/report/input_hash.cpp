@@ -1,12 +1,10 @@
 #include "pipeline/report/input_hash.hpp"
 
-#include <array>
 #include <cstdint>
-#include <fstream>
 
 #include <fmt/format.h>
 
-#include "engine/base/error.hpp"
+#include "io/input_text.hpp"
 
 namespace quarry {
 namespace {
@@ -25,14 +23,9 @@ class Fnv1a {
 };
 
 void add_file(Fnv1a& hash, const std::string& path) {
-  std::ifstream file(path, std::ios::binary | std::ios::ate);
-  if (!file) throw Error(ErrorKind::kInput, fmt::format("{}: cannot be read", path));
-  hash.add_length(static_cast<std::uint64_t>(file.tellg()));
-  file.seekg(0);
-  std::array<char, 1 << 16> block;
-  while (file.read(block.data(), block.size()) || file.gcount() > 0)
-    for (std::streamsize i = 0; i < file.gcount(); ++i)
-      hash.add(static_cast<unsigned char>(block[static_cast<std::size_t>(i)]));
+  const InputText file(path);
+  hash.add_length(file.text().size());
+  for (const char byte : file.text()) hash.add(static_cast<unsigned char>(byte));
 }
 
 }  // namespace

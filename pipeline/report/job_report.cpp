@@ -74,18 +74,24 @@ Json json_of(const QualitySummary& quality) {
   return object;
 }
 
+void add_attributes(Json& line, const LineAttributes& attributes) {
+  if (!attributes.name.empty()) line["name"] = attributes.name;
+  if (!attributes.set.empty()) line["set"] = attributes.set;
+  if (!attributes.material.empty()) line["material"] = attributes.material;
+  if (attributes.aperture) line["aperture"] = *attributes.aperture;
+}
+
 Json lines_json(const JobReport& report) {
   Json lines = Json::array();
   for (std::size_t i = 0; i < report.lines.size(); ++i) {
     const LedgerEntry& entry = report.lines[LineId(i)];
     Json with = Json::array();
     for (const LineId other : entry.with) with.push_back(other.value());
-    lines.push_back({{"line", i},
-                     {"fate", name_of(entry.fate)},
-                     {"with", std::move(with)},
-                     {"why", entry.why},
-                     {"moved", entry.moved},
-                     {"clipped_length", entry.clipped_length}});
+    Json line = {{"line", i},        {"fate", name_of(entry.fate)}, {"with", std::move(with)},
+                 {"why", entry.why}, {"moved", entry.moved},        {"clipped_length", entry.clipped_length}};
+    if (i < report.line_files.size()) line["file"] = report.line_files[LineId(i)];
+    if (i < report.line_attributes.size()) add_attributes(line, report.line_attributes[LineId(i)]);
+    lines.push_back(std::move(line));
   }
   return lines;
 }
@@ -146,6 +152,7 @@ std::string report_text(const JobReport& report) {
                    {"hash", report.input_hash},
                    {"outline", report.outline},
                    {"lines", lines_json(report)}};
+  if (!report.coordinate_systems.empty()) json["input"]["coordinate_systems"] = report.coordinate_systems;
   json["constraints"] = constraints_json(report);
   json["regions"] = regions_json(report);
   json["passes"] = passes_json(report);

@@ -33,9 +33,15 @@ struct JobReport {
 
   std::vector<std::string> input_files;
   std::string input_hash;
+  // What the files say of their coordinates, one a file; empty where no file says anything.
+  std::vector<std::string> coordinate_systems;
   std::string outline;  // which rule gave the outline, in words
   // What became of each input line; its index is the line's number.
   IdVector<LineId, LedgerEntry> lines;
+  // What the input says of each line, and its file (an index into input_files); empty where that is nothing,
+  // and where there is one file.
+  IdVector<LineId, LineAttributes> line_attributes;
+  IdVector<LineId, std::uint32_t> line_files;
   // Largest distance between each line and its mesh edges; NaN for a line without any.
   IdVector<LineId, double> line_distances;
 

@@ -25,6 +25,11 @@ enum class Preset { kDefault, kPaper };
 
 struct SectionOptions {
   std::vector<std::string> inputs;
+  // What becomes of degrees: brought to the local UTM zone, or taken for lengths; neither: an error.
+  bool project = false;
+  bool as_is = false;
+  // "x=VALUE" or "y=VALUE": the lines that stand in this vertical plane; "": seen from above.
+  std::string section;
   // "" for the default rule, "hull", "box", or a file of rings.
   std::string boundary;
   // Wanted edge of the final elements in input units; or about how many elements. Exactly one is given.

@@ -11,14 +11,15 @@
 #include "engine/mesh/domain.hpp"
 #include "engine/mesh/pinch.hpp"
 #include "engine/mesh/validate.hpp"
-#include "io/lines/line_reader.hpp"
 #include "kernels/deferred/deferred.hpp"
 #include "kernels/field/size_field.hpp"
 #include "kernels/local/better_flips.hpp"
 #include "kernels/matching/whole_outline.hpp"
 #include "kernels/smooth/laplacian.hpp"
+#include "pipeline/section/line_tags.hpp"
 #include "pipeline/section/outline_measures.hpp"
 #include "pipeline/section/price_source.hpp"
+#include "pipeline/section/read_input.hpp"
 #include "pipeline/section/start.hpp"
 
 namespace quarry {
@@ -27,11 +28,12 @@ namespace {
 // How far the number of elements may be from --count, as a share of it, where nothing else decides it.
 constexpr double kCountTolerance = 0.02;
 
-Outline find_outline(const SectionOptions& options, const LineSet& lines, double near) {
+Outline find_outline(const SectionOptions& options, const SectionInput& input, double near) {
+  const LineSet& lines = input.lines;
+  if (input.boundary) return boundary_outline(*input.boundary, near);
   if (options.boundary.empty()) return default_outline(lines, near);
   if (options.boundary == "box") return box_outline(lines, near);
-  if (options.boundary == "hull") return hull_outline(lines, near);
-  return boundary_outline(read_lines({options.boundary}), near);
+  return hull_outline(lines, near);
 }
 
 bool by_matching(const SectionOptions& options) {
@@ -147,13 +149,17 @@ void fit_count(const SectionOptions& options, SectionResult& result) {
   result.lengths.size = result.sizes->largest();
 }
 
-void read(const SectionOptions& options, SectionResult& result, StageClock& clock) {
+void read(const SectionOptions& options, SectionResult& result, StageClock& clock, const Progress& progress) {
   clock.start("reading");
-  result.lines = read_lines(options.inputs);
+  SectionInput input = read_section_input(options, progress);
   clock.start("cleaning");
-  const Box2 box = result.lines.box();
+  const Box2 box = input.lines.box();
   const double near = options.snap.value_or(0.05 * options.size.value_or(0.01 * box.longer_side()));
-  result.outline = find_outline(options, result.lines, near);
+  result.outline = find_outline(options, input, near);
+  result.lines = std::move(input.lines);
+  result.projected = std::move(input.projected);
+  result.system = std::move(input.system);
+  result.notes = std::move(input.notes);
   const double size = resolve_size(options, box_of(result.outline), area_of(result.outline));
   result.lengths.size = size;
   // What is too much in one size cannot be told from the number of lines: before they are cleaned.
@@ -180,6 +186,7 @@ void clean(const SectionOptions& options, SectionResult& result, StageClock& clo
   if (result.sizes) result.sizes->set_gaps(result.cleaned.lines);
   result.elements = predict_elements(options, box_of(result.outline), size, result.sizes.get());
   require_within_budget(options, size, result.elements);
+  result.cleaned.notes.insert(result.cleaned.notes.begin(), result.notes.begin(), result.notes.end());
 }
 
 void tell_prediction(const SectionOptions& options, const SectionResult& result) {
@@ -222,7 +229,7 @@ void make_elements(const SectionOptions& options, SectionResult& result, StageCl
 SectionResult clean_section(const SectionOptions& options, const Progress& progress) {
   SectionResult result;
   StageClock clock(progress);
-  read(options, result, clock);
+  read(options, result, clock, progress);
   clean(options, result, clock, progress);
   clock.stop();
   result.times = clock.times();
@@ -233,7 +240,7 @@ SectionResult mesh_section(const SectionOptions& options, const Progress& progre
   SectionResult result;
   StageClock clock(progress);
   const PriceSource prices(options.irregular_price);
-  read(options, result, clock);
+  read(options, result, clock, progress);
   make_elements(options, result, clock, progress);
   if (makes_quads(options)) {
     clock.start("clean-up");
@@ -249,6 +256,7 @@ SectionResult mesh_section(const SectionOptions& options, const Progress& progre
   const ConstraintTags final_tags = ConstraintTags::of(result.mesh);
   result.regions = label_regions(result.mesh, final_tags);
   extract_edges(result.mesh, final_tags, result.cleaned.lines);
+  result.line_groups = tag_lines(result.mesh, result.lines, options.inputs);
   mark_pinches(result.mesh, final_tags);
   require_valid(result.mesh);
   clock.stop();

@@ -7,6 +7,7 @@
 #include "engine/base/progress.hpp"
 #include "engine/geometry/line_set.hpp"
 #include "engine/mesh/mesh.hpp"
+#include "io/mesh/mesh_file.hpp"
 #include "kernels/cleanup/clean_up.hpp"
 #include "kernels/cluster/low_quads.hpp"
 #include "kernels/cluster/quads.hpp"
@@ -21,10 +22,14 @@
 namespace quarry {
 
 struct SectionResult {
-  // Faces with the tag "region"; edge entities with the tags "constraint" and "kind". Compact, in Hilbert
-  // order.
+  // Faces with the tag "region"; edge entities with the tags "constraint" and "kind", and with those of
+  // line_groups and "aperture" where the input says something of its lines. Compact, in Hilbert order.
   Mesh mesh;
+  std::vector<LineGrouping> line_groups;
   LineSet lines;
+  std::string projected;           // the plane that degrees were brought to; "" if they were not
+  std::string system;              // of the coordinates; "" if unknown
+  std::vector<std::string> notes;  // of reading: one line each
   CleanedLines cleaned;
   Outline outline;
   ResolvedLengths lengths;

@@ -1,11 +1,14 @@
 #include "pipeline/section/section_report.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <type_traits>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "io/lines/companion_file.hpp"
 #include "pipeline/report/input_hash.hpp"
 #include "pipeline/report/line_distance.hpp"
 #include "pipeline/report/low_quad_counts.hpp"
@@ -106,6 +109,9 @@ std::vector<ReportItem> resolved_options(const SectionOptions& options, const Se
     items.push_back({"irregular-price", price_text(options.irregular_price)});
   if (options.elements == Elements::kMixed) items.push_back({"mixed-quality", options.mixed_quality});
   if (result.sizes) add_sizes(items, options.sizes, *result.sizes);
+  if (!result.projected.empty()) items.push_back({"project", result.projected});
+  if (options.as_is) items.push_back({"as-is", true});
+  if (!options.section.empty()) items.push_back({"section", options.section});
   return items;
 }
 
@@ -126,8 +132,11 @@ std::string option_text(const std::vector<ReportItem>& options) {
 }
 
 std::string hash_inputs(const SectionOptions& options) {
-  std::vector<std::string> paths = options.inputs;
-  if (boundary_text(options) == "file") paths.push_back(options.boundary);
+  std::vector<std::string> paths;
+  for (const std::string& input : options.inputs)
+    for (std::string& file : files_read_with(input)) paths.push_back(std::move(file));
+  if (boundary_text(options) == "file")
+    for (std::string& file : files_read_with(options.boundary)) paths.push_back(std::move(file));
   if (options.start == StartMesh::kFile) paths.push_back(options.start_file);
   if (const std::string prices = price_file(options.irregular_price); !prices.empty())
     paths.push_back(prices);
@@ -135,12 +144,29 @@ std::string hash_inputs(const SectionOptions& options) {
   return hash_files(paths);
 }
 
+namespace {
+
+// What the input says of its lines, as far as it says anything.
+void describe_lines(const LineSet& lines, JobReport& report) {
+  const IdRange<LineId> all(lines.lines.size());
+  if (!lines.attributes.empty())
+    for (const LineId id : all) report.line_attributes.push_back(lines.attributes_of(id));
+  if (lines.files.size() > 1)
+    for (const LineId id : all) report.line_files.push_back(lines.lines[id].file);
+  if (std::ranges::all_of(lines.systems, [](const CoordinateSystem& s) { return s.definition.empty(); }))
+    return;
+  for (const CoordinateSystem& system : lines.systems) report.coordinate_systems.push_back(system.definition);
+}
+
+}  // namespace
+
 JobReport report_section(const SectionOptions& options, const SectionResult& result, QualitySummary quality) {
   JobReport report;
   report.options = resolved_options(options, result);
   report.input_files = options.inputs;
   report.outline = result.outline.text;
   report.lines = result.cleaned.ledger;
+  describe_lines(result.lines, report);
   if (result.mesh.face_slots() > 0) {
     report.line_distances = measure_line_distances(result.mesh, result.lines, result.cleaned.ledger);
     report.regions = summarize_regions(result.mesh);

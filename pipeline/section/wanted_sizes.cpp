@@ -32,23 +32,26 @@ std::optional<double> parse_length(std::string_view text) {
   return fits && std::isfinite(number) ? std::optional(number) : std::nullopt;
 }
 
-bool belongs_to(const LineSet& set, const InputLine& line, const std::string& group) {
-  return group == kAllLines || std::filesystem::path(set.files[line.file]).stem() == group;
+bool belongs_to(const LineSet& set, LineId id, const std::string& group) {
+  const LineAttributes attributes = set.attributes_of(id);
+  return group == kAllLines || group == attributes.set || group == attributes.name ||
+         group == attributes.material || std::filesystem::path(set.files[set.lines[id].file]).stem() == group;
 }
 
 std::shared_ptr<const SizeField> near_field(const NearGroup& near, const LineSet& lines,
                                             const GradedSizeOptions& grading) {
   std::vector<SizeSource> sources;
-  for (const InputLine& line : lines.lines)
-    if (belongs_to(lines, line, near.group))
-      for (std::size_t i = 0; i + 1 < line.points.size(); ++i)
-        sources.push_back({{line.points[i], line.points[i + 1]}, near.size, near.distance});
+  for (const LineId id : IdRange<LineId>(lines.lines.size())) {
+    if (!belongs_to(lines, id, near.group)) continue;
+    const std::vector<Vec2>& points = lines.lines[id].points;
+    for (std::size_t i = 0; i + 1 < points.size(); ++i)
+      sources.push_back({{points[i], points[i + 1]}, near.size, near.distance});
+  }
   if (sources.empty())
-    throw Error(
-        ErrorKind::kUsage,
-        fmt::format("--refine-near {}: no line is of this group; there is \"{}\", and each file by its name "
-                    "without ending",
-                    near.group, kAllLines));
+    throw Error(ErrorKind::kUsage, fmt::format("--refine-near {}: no line is of this group: give \"{}\", a "
+                                               "file by its name without ending, or a set, "
+                                               "name or material of lines",
+                                               near.group, kAllLines));
   return std::make_shared<GradedSize>(std::move(sources), grading);
 }
 

@@ -1,56 +1,22 @@
-#include <filesystem>
-#include <fstream>
-#include <string>
-
-#include <gtest/gtest.h>
-#include <unistd.h>
-
-#include "engine/base/error.hpp"
-#include "io/lines/line_reader.hpp"
+#include "tests/io/lines/line_files.hpp"
 
 namespace quarry {
 namespace {
 
-class GeojsonReader : public testing::Test {
+class GeojsonReader : public LineFiles {
  protected:
-  void SetUp() override {
-    std::string name = (std::filesystem::temp_directory_path() / "quarry_lines_XXXXXX").string();
-    folder_ = mkdtemp(name.data());
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
   std::string save(const std::string& text, const std::string& name = "in.geojson") {
-    const std::string path = (folder_ / name).string();
-    std::ofstream(path, std::ios::binary) << text;
-    return path;
+    return LineFiles::save(text, name);
   }
   LineSet read(const std::string& text) { return read_lines({save(text)}); }
-
-  // The message of the kInput error that reading must end in.
   std::string error_of(const std::string& text) { return error_of_path(save(text)); }
-  static std::string error_of_path(const std::string& path) {
-    try {
-      (void)read_lines({path});
-    } catch (const Error& error) {
-      EXPECT_EQ(error.kind(), ErrorKind::kInput);
-      EXPECT_NE(error.message().find(path), std::string::npos) << error.message();
-      EXPECT_EQ(error.message().find('\n'), std::string::npos) << error.message();
-      return error.message();
-    }
-    ADD_FAILURE() << "no error";
-    return {};
-  }
   static std::string feature(const std::string& geometry) {
     return R"({"type":"Feature","properties":{"a":[1,{"b":null}]},"geometry":)" + geometry + "}";
   }
   static std::string collection(const std::string& features) {
     return R"({"type":"FeatureCollection","features":[)" + features + "]}";
   }
-
-  std::filesystem::path folder_;
 };
-
-#define EXPECT_MESSAGE(message, part) EXPECT_NE((message).find(part), std::string::npos) << (message)
 
 TEST_F(GeojsonReader, ReadsABareLineStringAndIgnoresHeights) {
   const LineSet lines = read(R"({"type":"LineString","coordinates":[[1,2,99],[3.5,-4e1,98]]})");
@@ -104,6 +70,28 @@ TEST_F(GeojsonReader, RemembersTheFeatureOfALine) {
   EXPECT_EQ(lines.lines[LineId(0U)].feature, 1U);
 }
 
+TEST_F(GeojsonReader, TakesWhatTravelsFromPropertiesBeforeAndAfterTheGeometry) {
+  const LineSet lines = read(collection(
+      R"({"type":"Feature","geometry":{"type":"MultiLineString","coordinates":[[[0,0],[1,1]],[[2,0],[3,1]]]},"properties":{"NAME":"A","set":2,"aperture":"0.25","x":[{"name":"no"}],"material":null}},)"
+      R"({"type":"Feature","properties":{"aperture":-1},"geometry":{"type":"LineString","coordinates":[[0,0],[1,1]]}})"));
+  EXPECT_EQ(lines.attributes_of(LineId(0U)), (LineAttributes{"A", "2", "", 0.25}));
+  EXPECT_EQ(lines.attributes_of(LineId(1U)), (LineAttributes{"A", "2", "", 0.25}));
+  EXPECT_TRUE(lines.attributes_of(LineId(2U)).empty());
+}
+
+TEST_F(GeojsonReader, KeepsTheCoordinateSystemAndKnowsDegrees) {
+  const auto system = [&](const std::string& name) {
+    return read(R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":")" + name +
+                R"("}},"features":[)" + feature(R"({"type":"LineString","coordinates":[[0,0],[1,1]]})") +
+                "]}")
+        .systems.at(0);
+  };
+  EXPECT_EQ(system("urn:ogc:def:crs:EPSG::3067"), (CoordinateSystem{"urn:ogc:def:crs:EPSG::3067", false}));
+  EXPECT_TRUE(system("urn:ogc:def:crs:OGC:1.3:CRS84").geographic);
+  EXPECT_TRUE(system("EPSG:4258").geographic);
+  EXPECT_FALSE(system("a grid of our own").geographic);
+}
+
 TEST_F(GeojsonReader, NamesAFileThatCannotBeRead) {
   EXPECT_MESSAGE(error_of_path((folder_ / "absent.geojson").string()), "No such file");
   std::filesystem::create_directory(folder_ / "folder.geojson");
@@ -111,7 +99,7 @@ TEST_F(GeojsonReader, NamesAFileThatCannotBeRead) {
 }
 
 TEST_F(GeojsonReader, RefusesAnUnknownExtensionAndNamesTheKnownOnes) {
-  EXPECT_MESSAGE(error_of_path(save("x", "in.shp")), ".geojson");
+  EXPECT_MESSAGE(error_of_path(save("x", "in.unknown")), ".geojson");
 }
 
 TEST_F(GeojsonReader, RefusesEmptyFiles) {

@@ -19,9 +19,9 @@ namespace {
 
 class FileActions {
  public:
-  FileActions(const std::string& out, const std::string& err) {
+  FileActions(const std::string& in, const std::string& out, const std::string& err) {
     posix_spawn_file_actions_init(&actions_);
-    posix_spawn_file_actions_addopen(&actions_, 0, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_addopen(&actions_, 0, in.empty() ? "/dev/null" : in.c_str(), O_RDONLY, 0);
     posix_spawn_file_actions_addopen(&actions_, 1, out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
     posix_spawn_file_actions_addopen(&actions_, 2, err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
   }
@@ -77,7 +77,7 @@ CommandResult run_quarry(const std::vector<std::string>& arguments, const Comman
   const TestFolder folder;
   const std::string out = folder / "out";
   const std::string err = folder / "err";
-  const FileActions actions(out, err);
+  const FileActions actions(options.input, out, err);
   const int status = wait_for(start(arguments, actions), err, options);
   CommandResult result;
   result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;

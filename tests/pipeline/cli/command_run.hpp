@@ -19,12 +19,14 @@ struct CommandResult {
 
 struct CommandOptions {
   int time_limit_seconds = 120;
+  // A file that is the standard input; "": an empty one.
+  std::string input;
   // Asked for a signal to send each few milliseconds until it names one; 0: none yet. Gets what the command
   // has written to the standard error stream so far.
   std::function<int(const std::string& err)> signal;
 };
 
-// Runs `quarry ARGUMENTS...` with an empty standard input.
+// Runs `quarry ARGUMENTS...`.
 [[nodiscard]] CommandResult run_quarry(const std::vector<std::string>& arguments,
                                        const CommandOptions& options = {});
 

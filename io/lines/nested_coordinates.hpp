@@ -1,5 +1,5 @@
-// The value of a "coordinates" key, kept flat until the geometry's type is known: it may come later in the
-// file.
+// The nested lists of coordinates that GeoJSON and WKT have in common, kept flat until the geometry's type is
+// known: in GeoJSON it may come later in the file.
 #pragma once
 
 #include <cstddef>
@@ -11,9 +11,9 @@
 
 namespace quarry {
 
-// Fed with the tokens between the outermost brackets of a "coordinates" value. Every function that can fail
+// Fed with the brackets and numbers of a list of positions, or of lists of them. Every function that can fail
 // returns a description of what is wrong, empty if all is well; the caller knows the file and the feature.
-class GeojsonCoordinates {
+class NestedCoordinates {
  public:
   void clear();
 
@@ -57,6 +57,6 @@ class GeojsonCoordinates {
 };
 
 // Whether a type of geometry has "coordinates" at all, lines or not.
-[[nodiscard]] bool geojson_type_has_coordinates(std::string_view type);
+[[nodiscard]] bool type_has_coordinates(std::string_view type);
 
 }  // namespace quarry

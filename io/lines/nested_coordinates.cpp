@@ -1,4 +1,4 @@
-#include "io/lines/geojson_coordinates.hpp"
+#include "io/lines/nested_coordinates.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "engine/base/error.hpp"
+#include "io/lines/coordinate_limit.hpp"
 
 namespace quarry {
 namespace {
@@ -30,14 +31,11 @@ const GeometryType* find_type(std::string_view name) {
   return nullptr;
 }
 
-// Beyond this, products of four lengths overflow in exact predicates and quality measures.
-constexpr double kLargest = 1e60;
-
 }  // namespace
 
-bool geojson_type_has_coordinates(std::string_view type) { return find_type(type) != nullptr; }
+bool type_has_coordinates(std::string_view type) { return find_type(type) != nullptr; }
 
-void GeojsonCoordinates::clear() {
+void NestedCoordinates::clear() {
   stack_.clear();
   points_.clear();
   heights_.clear();
@@ -47,13 +45,13 @@ void GeojsonCoordinates::clear() {
   complete_ = false;
 }
 
-std::string GeojsonCoordinates::place() const {
+std::string NestedCoordinates::place() const {
   if (points_.empty()) return "position 1";
   const Vec2 last = points_.back();
   return fmt::format("position {} (after {})", points_.size() + 1, format_point(last.x, last.y));
 }
 
-std::string GeojsonCoordinates::start_array() {
+std::string NestedCoordinates::start_array() {
   if (!stack_.empty()) {
     if (stack_.back().holds == Holds::kNumbers) return fmt::format("{}: an array among numbers", place());
     stack_.back().holds = Holds::kArrays;
@@ -65,18 +63,18 @@ std::string GeojsonCoordinates::start_array() {
   return {};
 }
 
-std::string GeojsonCoordinates::number(double value) {
+std::string NestedCoordinates::number(double value) {
   if (stack_.back().holds == Holds::kArrays) return fmt::format("{}: a number among arrays", place());
-  if (!std::isfinite(value) || std::abs(value) > kLargest)
+  if (!is_usable_coordinate(value))
     return fmt::format("{}: coordinate {} is not a usable number; the largest is {:g}", place(), value,
-                       kLargest);
+                       kLargestCoordinate);
   stack_.back().holds = Holds::kNumbers;
   if (axis_count_ < 3) axis_[axis_count_] = value;
   ++axis_count_;
   return {};
 }
 
-std::string GeojsonCoordinates::end_array() {
+std::string NestedCoordinates::end_array() {
   const Array closed = stack_.back();
   const std::size_t depth = stack_.size();
   stack_.pop_back();
@@ -95,8 +93,8 @@ std::string GeojsonCoordinates::end_array() {
   return {};
 }
 
-std::string GeojsonCoordinates::append_lines(std::string_view type, std::uint32_t file, std::uint32_t feature,
-                                             LineSet& lines) const {
+std::string NestedCoordinates::append_lines(std::string_view type, std::uint32_t file, std::uint32_t feature,
+                                            LineSet& lines) const {
   const GeometryType* known = find_type(type);
   if (known == nullptr || known->part_depth == 0) return {};
   if (parts_.empty()) return fmt::format("the coordinates of a {} are a single position", type);

@@ -1,0 +1,97 @@
+// Longitude and latitude to the plane, by PROJ.
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "engine/base/error.hpp"
+#include "io/lines/coordinate_limit.hpp"
+#include "io/lines/coordinate_system.hpp"
+#include "io/lines/proj_context.hpp"
+
+namespace quarry {
+namespace {
+
+constexpr double kSouthernmost = -80, kNorthernmost = 84, kZoneWidth = 6;
+constexpr int kZones = 60;
+
+const std::string& definition_of(const LineSet& lines, std::uint32_t file) {
+  return lines.systems[file].definition;
+}
+
+// Of the files in degrees.
+Box2 box_in_degrees(const LineSet& lines) {
+  Box2 box;
+  for (const InputLine& line : lines.lines)
+    if (lines.systems[line.file].geographic)
+      for (const Vec2 p : line.points) box.extend(p);
+  return box;
+}
+
+struct Zone {
+  int number;
+  bool north;
+};
+
+Zone zone_of(const LineSet& lines) {
+  const Box2 box = box_in_degrees(lines);
+  const double longitude = 0.5 * (box.low.x + box.high.x), latitude = 0.5 * (box.low.y + box.high.y);
+  if (!(latitude >= kSouthernmost && latitude <= kNorthernmost && longitude >= -180 && longitude <= 180))
+    throw Error(ErrorKind::kInput,
+                fmt::format("{}: the middle of the lines, {}, lies in no UTM zone; project them yourself",
+                            lines.files.front(), format_point(longitude, latitude)));
+  const int number = static_cast<int>(std::floor((longitude + 180) / kZoneWidth)) + 1;
+  return {std::min(number, kZones), latitude >= 0};
+}
+
+class Projector {
+ public:
+  explicit Projector(std::string target) : target_(std::move(target)), context_(make_proj_context()) {}
+
+  void project(LineSet& lines) {
+    for (std::uint32_t file = 0; file < lines.files.size(); ++file) {
+      const std::string& definition = definition_of(lines, file);
+      if (definition.empty())
+        throw Error(ErrorKind::kInput,
+                    fmt::format("{}: does not say what its coordinates are (no crs, no .prj), so "
+                                "that they cannot be projected with those of the other files",
+                                lines.files[file]));
+      const ProjObject raw(
+          proj_create_crs_to_crs(context_.get(), definition.c_str(), target_.c_str(), nullptr));
+      const ProjObject transform(raw ? proj_normalize_for_visualization(context_.get(), raw.get()) : nullptr);
+      if (!transform)
+        throw Error(ErrorKind::kInput, fmt::format("{}: PROJ does not know its coordinate system: {}",
+                                                   lines.files[file], definition.substr(0, 200)));
+      for (InputLine& line : lines.lines)
+        if (line.file == file) project(line, lines.files[file], transform.get());
+    }
+  }
+
+ private:
+  static void project(InputLine& line, const std::string& file, PJ* transform) {
+    for (Vec2& p : line.points) {
+      const PJ_COORD result = proj_trans(transform, PJ_FWD, proj_coord(p.x, p.y, 0, HUGE_VAL));
+      if (!is_usable_coordinate(result.xy.x) || !is_usable_coordinate(result.xy.y))
+        throw Error(ErrorKind::kInput, fmt::format("{}: feature {}: {} has no place in the plane; correct or "
+                                                   "remove it",
+                                                   file, line.feature, format_point(p.x, p.y)));
+      p = {result.xy.x, result.xy.y};
+    }
+  }
+
+  std::string target_;
+  ProjContext context_;
+};
+
+}  // namespace
+
+std::string project_to_utm(LineSet& lines, LineSet* extra) {
+  const Zone zone = zone_of(lines);
+  const int code = (zone.north ? 32600 : 32700) + zone.number;
+  Projector projector(fmt::format("EPSG:{}", code));
+  projector.project(lines);
+  if (extra != nullptr) projector.project(*extra);
+  return fmt::format("EPSG:{} (WGS 84 / UTM zone {}{})", code, zone.number, zone.north ? 'N' : 'S');
+}
+
+}  // namespace quarry
