@@ -1,6 +1,7 @@
 #include "kernels/cleanup/patch_search.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "engine/base/random.hpp"
 
@@ -65,8 +66,12 @@ PatchSearch::Growth PatchSearch::grow(const std::vector<VertexId>& path, Directi
 }
 
 PatchSearch::Growth PatchSearch::grow_on(Direction direction, Candidate& found, PatchReport& report) {
+  // A compact patch of n faces has about sqrt(n) / 2 rings. One that takes four times as many lies in a strip
+  // between lines, where little is found, at a price that grows with the square of its length.
+  const double most_rings = 2 * std::sqrt(static_cast<double>(options_->largest));
   bool growing = true;
-  while (growing && growth_.make_convex()) {
+  for (int rings = 0; growing && growth_.make_convex(); ++rings) {
+    if (!direction.to.valid() && rings > most_rings) return Growth::kFailed;
     sign_faces();
     const std::uint64_t course = course_of(direction);
     if (courses_here_.contains(course) || memory_->knows_course(course)) return Growth::kFailed;
