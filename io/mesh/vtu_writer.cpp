@@ -175,6 +175,7 @@ void write_vtu(const std::string& path, const Mesh& mesh, const MeshWriteOptions
   numbering.keep_edges(fracture_edges(mesh, numbering));
   MeshWriteOptions plain = options;
   plain.fields.clear();
+  plain.line_groups.clear();
   write_numbered(path, mesh, numbering, plain);
 }
 

@@ -41,6 +41,13 @@ TEST(OpenGeoSysFile, HasMaterialsAndInteriorLinesAlone) {
   for (const EdgeId e : back.edges()) EXPECT_EQ(MeshFileTags(back).constraint(e), 3);
 }
 
+TEST(OpenGeoSysFile, HasNoTextsOfGroupsOfLines) {
+  const TemporaryFolder folder;
+  write_mesh(folder.file("a.vtu"), make_sample_mesh({.size = 9}),
+             {.line_groups = {{"set", {"joints"}}}, .consumer = MeshConsumer::kOpenGeoSys});
+  EXPECT_EQ(file_content(folder.file("a.vtu")).find("String"), std::string::npos);
+}
+
 TEST(MooseFile, HasOneGroupAnEntityAndNoNumberTwice) {
   const TemporaryFolder folder;
   write_mesh(folder.file("a.msh"), make_sample_mesh({.size = 9}), {.consumer = MeshConsumer::kMoose});
