@@ -3,9 +3,12 @@
 #pragma once
 
 #include <charconv>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
+#include <string_view>
 #include <type_traits>
 
 #include <system_error>
@@ -94,6 +97,14 @@ inline std::from_chars_result read_number(const char* begin, const char* end, do
       power < 0 ? mantissa / detail::kExactPowers[-power] : mantissa * detail::kExactPowers[power];
   value = minus ? -size : size;
   return {digits.stop, std::errc()};
+}
+
+// The number that the whole text is, if it is one and finite: of what people write after an option.
+inline std::optional<double> parse_finite(std::string_view text) {
+  double value = 0;
+  const auto [stop, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool whole = failure == std::errc() && stop == text.data() + text.size();
+  return whole && std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
 }  // namespace quarry

@@ -4,10 +4,10 @@
 #include <array>
 #include <filesystem>
 
-#include <cctype>
 #include <fmt/format.h>
 
 #include "engine/base/error.hpp"
+#include "io/lower_case.hpp"
 #include "io/mesh/avs_format.hpp"
 #include "io/mesh/exodus_format.hpp"
 #include "io/mesh/gocad_format.hpp"
@@ -52,10 +52,7 @@ constexpr std::array kFormats = {MeshFormat{".vtu", write_vtu, read_vtu, Element
                                  MeshFormat{".ml", nullptr, read_gocad}};
 
 std::string extension_of(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
+  return lower_case(std::filesystem::path(path).extension().string());
 }
 
 // ".vtu, .msh or .obj"

@@ -2,11 +2,11 @@
 
 #include <filesystem>
 
-#include <cctype>
 #include <fmt/format.h>
 
 #include "engine/base/error.hpp"
 #include "io/atomic_file.hpp"
+#include "io/lower_case.hpp"
 #include "io/picture/edge_layer.hpp"
 #include "io/picture/face_layer.hpp"
 #include "io/picture/legend.hpp"
@@ -19,8 +19,7 @@ constexpr int kNarrowest = 64;
 constexpr int kWidest = 20000;
 
 Canvas::Format format_of(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string extension = lower_case(std::filesystem::path(path).extension().string());
   if (extension == ".png") return Canvas::Format::kPng;
   if (extension == ".svg") return Canvas::Format::kSvg;
   throw Error(

@@ -7,9 +7,9 @@
 #include <optional>
 #include <string_view>
 
-#include <cctype>
 #include <fmt/format.h>
 
+#include "io/lower_case.hpp"
 #include "io/mapped_file.hpp"
 #include "io/text_cursor.hpp"
 
@@ -22,10 +22,7 @@ constexpr std::array<std::string_view, kKeys> kNames = {
     "ncols", "nrows", "xllcorner", "xllcenter", "yllcorner", "yllcenter", "cellsize", "nodata_value"};
 
 std::optional<Key> key_of(std::string_view word) {
-  std::string lower(word);
-  std::transform(lower.begin(), lower.end(), lower.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  const auto found = std::find(kNames.begin(), kNames.end(), lower);
+  const auto found = std::find(kNames.begin(), kNames.end(), lower_case(word));
   if (found == kNames.end()) return std::nullopt;
   return static_cast<Key>(found - kNames.begin());
 }

@@ -1,13 +1,12 @@
 #include "pipeline/cli/demands.hpp"
 
 #include <array>
-#include <charconv>
-#include <cmath>
 #include <string_view>
 
 #include <fmt/format.h>
 
 #include "engine/base/error.hpp"
+#include "io/number_text.hpp"
 #include "kernels/quality/face.hpp"
 
 namespace quarry::cli {
@@ -92,11 +91,10 @@ std::vector<Demand> parse_demands(const std::vector<std::string>& texts) {
     if (find_figure(demand.name) == nullptr)
       throw Error(ErrorKind::kUsage,
                   fmt::format("--require {}: no such figure; there are {}", text, known_names()));
-    const char* end = text.data() + text.size();
-    const char* first = equals == std::string::npos ? end : text.data() + equals + 1;
-    const auto [stop, failure] = std::from_chars(first, end, demand.limit);
-    if (failure != std::errc() || stop != end || !std::isfinite(demand.limit))
+    const auto limit = equals == std::string::npos ? std::nullopt : parse_finite(text.substr(equals + 1));
+    if (!limit)
       throw Error(ErrorKind::kUsage, fmt::format("--require {}: give it as {}=NUMBER", text, demand.name));
+    demand.limit = *limit;
     demands.push_back(std::move(demand));
   }
   return demands;

@@ -1,12 +1,10 @@
 #include "pipeline/cli/mesh_arguments.hpp"
 
-#include <charconv>
-#include <cmath>
-
 #include <fmt/format.h>
 
 #include "engine/base/error.hpp"
 #include "io/mesh/mesh_format.hpp"
+#include "io/number_text.hpp"
 #include "pipeline/cli/irregular_price.hpp"
 #include "pipeline/cli/mixed_quality.hpp"
 #include "pipeline/cli/not_built.hpp"
@@ -164,11 +162,9 @@ void add_surface_options(CLI::App& command, MeshArguments& arguments) {
 }
 
 double parse_degrees(const std::string& text) {
-  double degrees = 0;
-  const auto [stop, failure] = std::from_chars(text.data(), text.data() + text.size(), degrees);
-  if (failure != std::errc() || stop != text.data() + text.size() || !std::isfinite(degrees))
-    throw Error(ErrorKind::kUsage, fmt::format("--orient {}: give degrees or auto", text));
-  return degrees;
+  const std::optional<double> degrees = parse_finite(text);
+  if (!degrees) throw Error(ErrorKind::kUsage, fmt::format("--orient {}: give degrees or auto", text));
+  return *degrees;
 }
 
 void refuse_what_is_not_built(const MeshArguments& arguments) {

@@ -1,6 +1,5 @@
 #include "pipeline/cli/mesh_surface_command.hpp"
 
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -13,6 +12,7 @@
 #include "engine/mesh/pinch.hpp"
 #include "io/lines/companion_file.hpp"
 #include "io/mesh/mesh_format.hpp"
+#include "io/number_text.hpp"
 #include "io/page/page.hpp"
 #include "io/picture/picture.hpp"
 #include "kernels/quality/face.hpp"
@@ -62,9 +62,8 @@ void refuse_options_of_lines(const MeshArguments& arguments) {
 
 std::optional<double> sharpness_of(const std::string& text) {
   if (text == "auto") return std::nullopt;
-  double degrees = 0;
-  const auto [stop, failure] = std::from_chars(text.data(), text.data() + text.size(), degrees);
-  if (failure != std::errc() || stop != text.data() + text.size() || !(degrees > 0 && degrees <= 180))
+  const std::optional<double> degrees = parse_finite(text);
+  if (!degrees || !(*degrees > 0 && *degrees <= 180))
     throw Error(ErrorKind::kUsage,
                 fmt::format("--sharp {}: give auto, or degrees above 0 and up to 180", text));
   return degrees;
