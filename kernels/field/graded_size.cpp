@@ -18,8 +18,7 @@ void require_positive(double value, const char* what) {
 }
 
 double smallest_of(const std::vector<SizeSource>& sources, const GradedSizeOptions& options) {
-  require_positive(options.largest, "the largest size");
-  require_positive(options.gradation, "the gradation of sizes");
+  require_grading(options);
   double smallest = options.largest;
   for (const SizeSource& source : sources) {
     require_positive(source.size, "the size at a source");
@@ -45,6 +44,11 @@ std::vector<Segment> segments_of(const std::vector<SizeSource>& sources) {
 }
 
 }  // namespace
+
+void require_grading(const GradedSizeOptions& options) {
+  require_positive(options.largest, "the largest size");
+  require_positive(options.gradation, "the gradation of sizes");
+}
 
 GradedSize::GradedSize(std::vector<SizeSource> sources, const GradedSizeOptions& options)
     : sources_(std::move(sources)),

@@ -22,6 +22,9 @@ struct GradedSizeOptions {
   double gradation = 0.3;  // growth of the size for each unit of distance; > 0
 };
 
+// Throws Error(kUsage) unless both are positive and finite.
+void require_grading(const GradedSizeOptions& options);
+
 // at(p) is the smallest of `largest` and, over the sources, size + gradation * (distance -
 // reach), or the size within its reach: the largest field that is at most the wanted size there and whose
 // slope nowhere exceeds the gradation.

@@ -61,7 +61,7 @@ class GrowthLimit {
 
 RasterSize::RasterSize(Raster raster, const GradedSizeOptions& options)
     : raster_(std::move(raster)), options_(options) {
-  const GradedSize checks_options({}, options);
+  require_grading(options);
   for (std::size_t i = 0; i < raster_.values.size(); ++i) {
     double& value = raster_.values[i];
     if (std::isnan(value)) value = options.largest;

@@ -1,7 +1,5 @@
 #include "pipeline/section/price_source.hpp"
 
-#include <charconv>
-#include <cmath>
 #include <memory>
 #include <string_view>
 #include <utility>
@@ -10,20 +8,13 @@
 #include <fmt/format.h>
 
 #include "engine/base/error.hpp"
+#include "io/number_text.hpp"
 #include "io/raster/asc_reader.hpp"
 
 namespace quarry {
 namespace {
 
 constexpr std::string_view kNearLines = "lines:";
-
-// A finite number above 0; 0 for any other text.
-double parse_positive(std::string_view text) {
-  double number = 0;
-  const auto [stop, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
-  const bool fits = failure == std::errc() && stop == text.data() + text.size() && number > 0;
-  return fits && std::isfinite(number) ? number : 0;
-}
 
 Raster read_prices(const std::string& path) {
   Raster raster = read_asc(path);
@@ -44,7 +35,8 @@ std::optional<LinePrice> parse_line_price(const std::string& text) {
   const std::size_t colon = rest.find(':');
   LinePrice price{0, 0};
   if (colon != std::string_view::npos)
-    price = {parse_positive(rest.substr(0, colon)), parse_positive(rest.substr(colon + 1))};
+    price = {parse_finite(rest.substr(0, colon)).value_or(0),
+             parse_finite(rest.substr(colon + 1)).value_or(0)};
   if (!(price.distance > 0 && price.factor > 0))
     throw Error(
         ErrorKind::kUsage,

@@ -162,18 +162,24 @@ void read(const SectionOptions& options, SectionResult& result, StageClock& cloc
   result.notes = std::move(input.notes);
   const double size = resolve_size(options, box_of(result.outline), area_of(result.outline));
   result.lengths.size = size;
-  // What is too much in one size cannot be told from the number of lines: before they are cleaned.
-  if (options.sizes.uniform())
-    require_within_budget(options, size, predict_elements(options, box_of(result.outline), size, nullptr));
-  else
-    result.sizes = std::make_shared<WantedSizes>(options.sizes, result.lines, size);
+  if (!options.sizes.uniform())
+    result.sizes =
+        std::make_shared<WantedSizes>(options.sizes, result.lines, file_group_names(options.inputs), size);
   if (result.sizes && options.count) fit_count(options, result);
+}
+
+// How many elements the sizes that are wanted by now mean.
+void foresee(const SectionOptions& options, SectionResult& result) {
+  const double size = result.lengths.size;
+  result.elements = predict_elements(options, box_of(result.outline), size, result.sizes.get());
+  require_within_budget(options, size, result.elements);
 }
 
 // Cleans the lines for the size that is wanted by now.
 void clean(const SectionOptions& options, SectionResult& result, StageClock& clock,
            const Progress& progress) {
   clock.start("cleaning");
+  foresee(options, result);
   const double size = result.lengths.size;
   result.lengths =
       resolve_lengths(options, size, result.sizes ? result.sizes->smallest_on(result.lines) : size);
@@ -183,9 +189,10 @@ void clean(const SectionOptions& options, SectionResult& result, StageClock& clo
                                 .tolerance = result.lengths.tolerance},
                                progress);
   result.lengths.snap = result.cleaned.options.snap;
-  if (result.sizes) result.sizes->set_gaps(result.cleaned.lines);
-  result.elements = predict_elements(options, box_of(result.outline), size, result.sizes.get());
-  require_within_budget(options, size, result.elements);
+  if (result.sizes) {
+    result.sizes->set_gaps(result.cleaned.lines);
+    foresee(options, result);
+  }
   result.cleaned.notes.insert(result.cleaned.notes.begin(), result.notes.begin(), result.notes.end());
 }
 

@@ -1,7 +1,6 @@
 #include "pipeline/section/vertical_plane.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -12,6 +11,7 @@
 #include <fmt/ranges.h>
 
 #include "engine/base/error.hpp"
+#include "io/number_text.hpp"
 
 namespace quarry {
 namespace {
@@ -57,11 +57,12 @@ std::string list_planes(const LineSet& lines) {
 
 Plane parse(const std::string& text) {
   Plane plane;
-  const char* const end = text.data() + text.size();
   if (text.size() > 2 && (text[0] == 'x' || text[0] == 'y') && text[1] == '=') {
     plane.axis = text[0];
-    const auto [stop, failure] = std::from_chars(text.data() + 2, end, plane.value);
-    if (failure == std::errc() && stop == end && std::isfinite(plane.value)) return plane;
+    if (const auto value = parse_finite(std::string_view(text).substr(2))) {
+      plane.value = *value;
+      return plane;
+    }
   }
   throw Error(ErrorKind::kUsage, fmt::format("--section {}: give a plane as x=VALUE or y=VALUE", text));
 }

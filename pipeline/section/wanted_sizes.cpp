@@ -1,18 +1,18 @@
 #include "pipeline/section/wanted_sizes.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <filesystem>
 #include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "engine/base/error.hpp"
+#include "io/lower_case.hpp"
+#include "io/number_text.hpp"
 #include "io/raster/asc_reader.hpp"
 #include "io/raster/point_values.hpp"
-#include "kernels/field/expected_elements.hpp"
+#include "kernels/field/expected_squares.hpp"
 #include "kernels/field/gap_sizes.hpp"
 #include "kernels/field/raster_size.hpp"
 
@@ -24,25 +24,20 @@ constexpr double kSmallestShare = 0.1;
 constexpr double kMostSquares = 1e9;
 constexpr std::string_view kAllLines = "lines";
 
-// A finite number of at least 0; none for any other text.
-std::optional<double> parse_length(std::string_view text) {
-  double number = 0;
-  const auto [stop, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
-  const bool fits = failure == std::errc() && stop == text.data() + text.size() && number >= 0;
-  return fits && std::isfinite(number) ? std::optional(number) : std::nullopt;
-}
-
-bool belongs_to(const LineSet& set, LineId id, const std::string& group) {
+// files: what the groups of files are called, by their number.
+bool belongs_to(const LineSet& set, LineId id, const std::string& group,
+                const std::vector<std::string>& files) {
   const LineAttributes attributes = set.attributes_of(id);
   return group == kAllLines || group == attributes.set || group == attributes.name ||
-         group == attributes.material || std::filesystem::path(set.files[set.lines[id].file]).stem() == group;
+         group == attributes.material || group == files[set.lines[id].file];
 }
 
 std::shared_ptr<const SizeField> near_field(const NearGroup& near, const LineSet& lines,
+                                            const std::vector<std::string>& files,
                                             const GradedSizeOptions& grading) {
   std::vector<SizeSource> sources;
   for (const LineId id : IdRange<LineId>(lines.lines.size())) {
-    if (!belongs_to(lines, id, near.group)) continue;
+    if (!belongs_to(lines, id, near.group, files)) continue;
     const std::vector<Vec2>& points = lines.lines[id].points;
     for (std::size_t i = 0; i + 1 < points.size(); ++i)
       sources.push_back({{points[i], points[i + 1]}, near.size, near.distance});
@@ -57,7 +52,7 @@ std::shared_ptr<const SizeField> near_field(const NearGroup& near, const LineSet
 
 std::shared_ptr<const SizeField> file_field(const std::string& path, const GradedSizeOptions& grading) {
   try {
-    if (path.ends_with(".asc")) return std::make_shared<RasterSize>(read_asc(path), grading);
+    if (lower_case(path).ends_with(".asc")) return std::make_shared<RasterSize>(read_asc(path), grading);
     std::vector<SizeSource> sources;
     for (const PointValue& point : read_point_values(path))
       sources.push_back({{point.at, point.at}, point.value});
@@ -74,9 +69,9 @@ NearGroup parse_near_group(const std::string& text) {
   const std::size_t second = text.rfind(':');
   const std::size_t first = second == std::string::npos || second == 0 ? second : text.rfind(':', second - 1);
   if (first != std::string::npos && first < second && first > 0) {
-    const auto size = parse_length(std::string_view(text).substr(first + 1, second - first - 1));
-    const auto distance = parse_length(std::string_view(text).substr(second + 1));
-    if (size && *size > 0 && distance) return {text.substr(0, first), *size, *distance};
+    const auto size = parse_finite(std::string_view(text).substr(first + 1, second - first - 1));
+    const auto distance = parse_finite(std::string_view(text).substr(second + 1));
+    if (size && *size > 0 && distance && *distance >= 0) return {text.substr(0, first), *size, *distance};
   }
   throw Error(
       ErrorKind::kUsage,
@@ -86,7 +81,8 @@ NearGroup parse_near_group(const std::string& text) {
           text));
 }
 
-WantedSizes::WantedSizes(const SizeOptions& options, const LineSet& lines, double largest)
+WantedSizes::WantedSizes(const SizeOptions& options, const LineSet& lines,
+                         const std::vector<std::string>& files, double largest)
     : options_(options), largest_(largest), smallest_(options.smallest.value_or(kSmallestShare * largest)) {
   if (!(smallest_ > 0 && smallest_ <= largest_))
     throw Error(ErrorKind::kUsage,
@@ -95,7 +91,7 @@ WantedSizes::WantedSizes(const SizeOptions& options, const LineSet& lines, doubl
   asked_.push_back(std::make_shared<UniformSize>(largest_));
   if (!options.file.empty()) asked_.push_back(file_field(options.file, grading()));
   for (const std::string& text : options.near)
-    asked_.push_back(near_field(parse_near_group(text), lines, grading()));
+    asked_.push_back(near_field(parse_near_group(text), lines, files, grading()));
   rescale(1);
 }
 

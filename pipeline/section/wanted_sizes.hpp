@@ -36,10 +36,11 @@ struct NearGroup {
 
 class WantedSizes {
  public:
-  // largest: wanted where nothing else is asked for, in input units. Reads the file. Throws Error(kUsage) for
-  // what makes no sense and for a group that no line belongs to, Error(kInput) for a file that cannot be
-  // used.
-  WantedSizes(const SizeOptions& options, const LineSet& lines, double largest);
+  // files: what the groups of the files of lines are called. largest: wanted where nothing else is asked for,
+  // in input units. Reads the file. Throws Error(kUsage) for what makes no sense and for a group that no line
+  // belongs to, Error(kInput) for a file that cannot be used.
+  WantedSizes(const SizeOptions& options, const LineSet& lines, const std::vector<std::string>& files,
+              double largest);
 
   // From here on these lines ask for sizes as well where they run close, in place of those of the last call.
   void set_gaps(const NodedLines& lines);

@@ -94,6 +94,23 @@ TEST_F(Sizes, AreSmallNearTheLinesOfAGroup) {
   expect_size_near(mesh, {50, 35}, 5, 5);
 }
 
+TEST_F(Sizes, KnowFilesByTheNamesThatTheirGroupsHaveInTheMesh) {
+  SectionOptions section = options();
+  const TemporaryFolder other;
+  section.inputs.push_back(other.file("faults.geojson", geojson_text({{{70, 80}, {75, 85}}})));
+  section.sizes.near = {"faults_2:0.5:4"};
+  const Mesh mesh = mesh_section(section, {}).mesh;
+  expect_size_near(mesh, {72, 84}, 2, 0.5);
+  expect_size_near(mesh, {50, 35}, 5, 5);
+}
+
+TEST_F(Sizes, FollowARasterWhoseNameIsInCapitals) {
+  SectionOptions section = options();
+  section.sizes.file =
+      folder_.file("SIZES.ASC", "ncols 1\nnrows 1\nxllcorner 0\nyllcorner 0\ncellsize 100\n2\n");
+  expect_size_near(mesh_section(section, {}).mesh, {30, 70}, 15, 2);
+}
+
 TEST_F(Sizes, LetElementsFitBetweenLinesThatRunClose) {
   SectionOptions section = options();
   section.inputs = {folder_.file(

@@ -1,4 +1,4 @@
-#include "kernels/field/expected_elements.hpp"
+#include "kernels/field/expected_squares.hpp"
 
 #include <gtest/gtest.h>
 
