@@ -15,10 +15,11 @@
 namespace quarry {
 
 using LineId = Id<struct LineKind>;    // an input line, in reading order across all files
+using PointId = Id<struct PointKind>;  // an input point, in reading order across all files
 using NodeId = Id<struct NodeKind>;    // a point of the cleaned lines
 using PieceId = Id<struct PieceKind>;  // a straight segment between two nodes of the cleaned lines
 
-// What a file says of a line beside where it runs; what it does not say is empty.
+// What a file says of a line or a point beside where it lies; what it does not say is empty.
 struct LineAttributes {
   std::string name;
   std::string set;
@@ -57,26 +58,50 @@ struct InputLine {
   [[nodiscard]] bool closed() const { return points.size() > 2 && points.front() == points.back(); }
 };
 
+// A point of the input (a well, a sensor): it becomes a vertex. It keeps its number for good, even if it is
+// dropped.
+struct InputPoint {
+  Vec2 place;
+  std::optional<double> height = {};
+  std::uint32_t file = 0;     // index into LineSet::files
+  std::uint32_t feature = 0;  // number of the feature in its file, from 0
+  std::uint32_t attributes = InputLine::kNoAttributes;
+};
+
 struct LineSet {
   std::vector<std::string> files;
   // One a file, or none.
   std::vector<CoordinateSystem> systems;
-  // Shared by the lines of a feature.
+  // Shared by the lines and points of a feature.
   std::vector<LineAttributes> attributes;
   IdVector<LineId, InputLine> lines;
+  IdVector<PointId, InputPoint> points;
 
   // Empty ones for a line of which the file says nothing.
-  [[nodiscard]] LineAttributes attributes_of(LineId id) const {
-    const std::uint32_t index = lines[id].attributes;
-    return index < attributes.size() ? attributes[index] : LineAttributes();
+  [[nodiscard]] LineAttributes attributes_of(LineId id) const { return attributes_at(lines[id].attributes); }
+  [[nodiscard]] LineAttributes attributes_of(PointId id) const {
+    return attributes_at(points[id].attributes);
   }
 
   [[nodiscard]] Box2 box() const {
     Box2 result;
     for (const InputLine& line : lines)
       for (const Vec2 point : line.points) result.extend(point);
+    for (const InputPoint& point : points) result.extend(point.place);
     return result;
   }
+
+ private:
+  [[nodiscard]] LineAttributes attributes_at(std::uint32_t index) const {
+    return index < attributes.size() ? attributes[index] : LineAttributes();
+  }
+};
+
+// How far a LineSet was filled at some time.
+struct LineSetMark {
+  std::size_t lines = 0, points = 0;
+
+  static LineSetMark of(const LineSet& set) { return {set.lines.size(), set.points.size()}; }
 };
 
 // What a piece is to the domain.

@@ -80,13 +80,14 @@ std::string system_urn(const std::string& definition) {
 bool look_like_degrees(const LineSet& lines, std::uint32_t file) {
   Box2 box;
   bool fine = false;
-  for (const InputLine& line : lines.lines) {
-    if (line.file != file) continue;
-    for (const Vec2 p : line.points) {
-      box.extend(p);
-      fine = fine || has_many_decimals(p.x) || has_many_decimals(p.y);
-    }
-  }
+  const auto look_at = [&](Vec2 p) {
+    box.extend(p);
+    fine = fine || has_many_decimals(p.x) || has_many_decimals(p.y);
+  };
+  for (const InputLine& line : lines.lines)
+    if (line.file == file) std::ranges::for_each(line.points, look_at);
+  for (const InputPoint& point : lines.points)
+    if (point.file == file) look_at(point.place);
   if (!fine || box.low.x < -180 || box.high.x > 180 || box.low.y < -90 || box.high.y > 90) return false;
   const double x = std::clamp(0.0, box.low.x, box.high.x), y = std::clamp(0.0, box.low.y, box.high.y);
   return std::hypot(x, y) >= 2 * box.longer_side();

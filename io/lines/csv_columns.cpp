@@ -27,6 +27,10 @@ constexpr auto kLine = std::to_array<std::string_view>(
      "trace_id", "trace id",    "traceid", "trace_no", "polyline", "polyline_id", "feature",     "feature_id",
      "fracture", "fracture_id", "fault",   "fault_id", "fid",      "objectid",    "id",          "part"});
 
+constexpr auto kPoint =
+    std::to_array<std::string_view>({"well", "well_id", "well_name", "borehole", "borehole_id", "point",
+                                     "point_id", "sensor", "sensor_id", "station", "station_id"});
+
 std::size_t find(const std::vector<std::string>& header, Words words) {
   for (const std::string_view word : words)
     if (const auto at = std::ranges::find(header, word); at != header.end())
@@ -50,6 +54,7 @@ CsvColumns find_csv_columns(const std::vector<std::string>& header) {
   }
   columns.z = find(words, kZ);
   columns.line = find(words, kLine);
+  if (columns.wkt == CsvColumns::kNone) columns.point = find(words, kPoint);
   for (std::size_t i = 0; i < words.size(); ++i)
     if (AttributeCollector::knows(words[i])) columns.attributes.emplace_back(i, words[i]);
   return columns;

@@ -14,6 +14,7 @@ struct CsvColumns {
   std::size_t wkt = kNone;
   std::size_t x = kNone, y = kNone, z = kNone;
   std::size_t line = kNone;                                     // which line a row's point belongs to
+  std::size_t point = kNone;                                    // the name of a row that is a point by itself
   std::vector<std::pair<std::size_t, std::string>> attributes;  // column and name of the attribute
   bool degrees = false;                                         // x and y are called longitude and latitude
 
@@ -22,8 +23,8 @@ struct CsvColumns {
 
 // In either case of letters: wkt, geometry, geom, ...; x, easting, lon, ...; y, northing, lat, ...; z,
 // elevation,
-// ...; line, line_id, trace, fracture, fault, feature, fid, id, ... (all words stand in the source). Where
-// several fit, the first word of these lists that a column has.
+// ...; line, line_id, trace, fracture, fault, feature, fid, id, ...; well, point, sensor, ... (all words
+// stand in the source). Where several fit, the first word of these lists that a column has.
 [[nodiscard]] CsvColumns find_csv_columns(const std::vector<std::string>& header);
 
 }  // namespace quarry

@@ -89,7 +89,7 @@ class CsvReader {
     const std::uint32_t feature = feature_++;
     const std::string_view text = cell(columns_.wkt);
     if (text.empty()) return;
-    const std::size_t first = lines_.lines.size();
+    const LineSetMark first = LineSetMark::of(lines_);
     WktGeometry geometry = read_wkt_geometry(text, source_.file, feature, lines_);
     if (geometry.problem.empty() && geometry.end < text.size())
       geometry.problem =
@@ -109,11 +109,25 @@ class CsvReader {
       return;
     }
     if (cell(0).starts_with('#')) return;
+    if (columns_.point != kNone) return append_point();
     const std::string_view name = cell(columns_.line);
     if (!line_.points.empty() && name != name_) end_line();
     if (line_.points.empty()) begin_line(name);
     line_.points.push_back({number(columns_.x, "x"), number(columns_.y, "y")});
     if (!cell(columns_.z).empty()) line_.heights.push_back(number(columns_.z, "z"));
+  }
+
+  // Its name is that of the column, unless there is one called so.
+  void append_point() {
+    const LineSetMark first = LineSetMark::of(lines_);
+    InputPoint point{{number(columns_.x, "x"), number(columns_.y, "y")}};
+    if (!cell(columns_.z).empty()) point.height = number(columns_.z, "z");
+    point.file = source_.file;
+    point.feature = feature_++;
+    lines_.points.push_back(point);
+    attributes_.set("name", cell(columns_.point));
+    take_attributes();
+    attributes_.assign(first, lines_);
   }
 
   void begin_line(std::string_view name) {
@@ -127,7 +141,7 @@ class CsvReader {
 
   void end_line() {
     if (line_.points.empty()) return;
-    const std::size_t first = lines_.lines.size();
+    const LineSetMark first = LineSetMark::of(lines_);
     append_line(source_, row_, std::exchange(line_, {}), lines_);
     attributes_.assign(first, lines_);
   }

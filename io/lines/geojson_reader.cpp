@@ -51,7 +51,7 @@ class LineTokens : public nlohmann::json_sax<Json> {
     top_seen_ = true;
     Object object;
     object.role = top ? Role::kGeometry : role_of_value();
-    object.first_line = lines_.lines.size();
+    object.first = LineSetMark::of(lines_);
     if (!top && objects_.back().key == Key::kFeatures) feature_ = next_feature_++;
     objects_.push_back(std::move(object));
     return true;
@@ -80,9 +80,9 @@ class LineTokens : public nlohmann::json_sax<Json> {
     if (object.role == Role::kGeometry && type_has_coordinates(object.type)) {
       if (!object.coordinates.complete())
         fail_in_feature(fmt::format("a {} without coordinates", object.type));
-      check(object.coordinates.append_lines(object.type, source_.file, feature_, lines_));
+      check(object.coordinates.append_geometry(object.type, source_.file, feature_, lines_));
     }
-    if (object.type == "Feature") attributes_.assign(object.first_line, lines_);
+    if (object.type == "Feature") attributes_.assign(object.first, lines_);
     objects_.pop_back();
     return true;
   }
@@ -155,7 +155,7 @@ class LineTokens : public nlohmann::json_sax<Json> {
     Role role = Role::kGeometry;
     Key key = Key::kOther;
     bool in_list = false;  // within the array of "features" or "geometries"
-    std::size_t first_line = 0;
+    LineSetMark first;
     std::string type;
     std::string property;  // the key of a property
     NestedCoordinates coordinates;

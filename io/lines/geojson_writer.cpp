@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -79,11 +80,12 @@ std::string quoted(const std::string& text) {
   return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
-// Properties, each with a comma before it.
-std::string attribute_text(const LineSet* input, std::span<const LineId> numbers) {
+// Properties, each with a comma before it. numbers: of lines, or of points.
+template <class Number>
+std::string attribute_text(const LineSet* input, std::span<const Number> numbers) {
   if (input == nullptr) return {};
-  for (const LineId line : numbers) {
-    const LineAttributes attributes = input->attributes_of(line);
+  for (const Number number : numbers) {
+    const LineAttributes attributes = input->attributes_of(number);
     if (attributes.empty()) continue;
     std::string text;
     if (!attributes.name.empty()) text += fmt::format(",\"name\":{}", quoted(attributes.name));
@@ -93,6 +95,24 @@ std::string attribute_text(const LineSet* input, std::span<const LineId> numbers
     return text;
   }
   return {};
+}
+
+// Points by their nodes, each a feature.
+std::vector<std::string> point_features(const NodedLines& lines, const GeojsonWriteOptions& options) {
+  std::map<NodeId, std::vector<PointId>> points_at;
+  for (const PointId id : IdRange<PointId>(options.points.size()))
+    if (options.points[id].valid()) points_at[options.points[id]].push_back(id);
+  std::vector<std::string> features;
+  for (const auto& [node, points] : points_at) {
+    std::vector<std::uint32_t> numbers;
+    for (const PointId point : points) numbers.push_back(point.value());
+    features.push_back(
+        fmt::format("{{\"type\":\"Feature\",\"properties\":{{\"points\":[{}]{}}},\"geometry\":{{\"type\":"
+                    "\"Point\",\"coordinates\":[{},{}]}}}}",
+                    fmt::join(numbers, ","), attribute_text<PointId>(options.input, points),
+                    lines.nodes[node].x, lines.nodes[node].y));
+  }
+  return features;
 }
 
 }  // namespace
@@ -117,7 +137,7 @@ void write_lines_geojson(const std::string& path, const NodedLines& lines,
                    "{}{{\"type\":\"Feature\",\"properties\":{{\"lines\":[{}],\"kind\":\"{}\"{}}},",
                    first ? "" : ",\n", fmt::join(numbers, ","),
                    lines.pieces[id].kind == PieceKindOf::kOutline ? "outline" : "interior",
-                   attribute_text(options.input, lines.numbers(id)));
+                   attribute_text<LineId>(options.input, lines.numbers(id)));
     fmt::format_to(std::back_inserter(text), "\"geometry\":{{\"type\":\"LineString\",\"coordinates\":[");
     for (std::size_t i = 0; i < chain.size(); ++i) {
       const Vec2 point = lines.nodes[chain[i]];
@@ -125,6 +145,10 @@ void write_lines_geojson(const std::string& path, const NodedLines& lines,
     }
     fmt::format_to(std::back_inserter(text), "]}}}}");
     file.write(std::string_view(text.data(), text.size()));
+    first = false;
+  }
+  for (const std::string& feature : point_features(lines, options)) {
+    file.write((first ? "" : ",\n") + feature);
     first = false;
   }
   file.write("\n]}\n");

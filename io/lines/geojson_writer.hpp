@@ -13,12 +13,15 @@ struct GeojsonWriteOptions {
   const LineSet* input = nullptr;
   // The member "crs"; "" for none.
   std::string system;
+  // The node of each input point, or none.
+  IdVector<PointId, NodeId> points;
 };
 
 // Writes one LineString for each longest chain of pieces that bear the same line numbers and are of the same
 // kind, with the properties "lines" (numbers of the input lines that run along it, ascending) and "kind"
-// ("interior" or "outline"). A chain ends where three pieces meet. Coordinates are written so that reading
-// gives the same bits. Throws Error(kOutput); the file appears whole or not at all.
+// ("interior" or "outline"). A chain ends where three pieces meet. Nodes of input points are Points with the
+// property "points", and with the name, set and material of the first of those that has any. Coordinates are
+// written so that reading gives the same bits. Throws Error(kOutput); the file appears whole or not at all.
 void write_lines_geojson(const std::string& path, const NodedLines& lines,
                          const GeojsonWriteOptions& options = {});
 

@@ -59,15 +59,18 @@ void AttributeCollector::set(std::string_view key, double value) {
     ++unreadable_;
 }
 
-void AttributeCollector::assign(std::size_t first, LineSet& lines) {
+void AttributeCollector::assign(const LineSetMark& first, LineSet& lines) {
   LineAttributes attributes = std::exchange(current_, {});
   const std::string layer = std::exchange(layer_, {});
   if (attributes.set.empty()) attributes.set = layer;
-  if (attributes.empty() || first == lines.lines.size()) return;
+  if (attributes.empty() || (first.lines == lines.lines.size() && first.points == lines.points.size()))
+    return;
   if (lines.attributes.empty() || lines.attributes.back() != attributes)
     lines.attributes.push_back(attributes);
-  for (std::size_t i = first; i < lines.lines.size(); ++i)
-    lines.lines[LineId(i)].attributes = static_cast<std::uint32_t>(lines.attributes.size() - 1);
+  const auto index = static_cast<std::uint32_t>(lines.attributes.size() - 1);
+  for (std::size_t i = first.lines; i < lines.lines.size(); ++i) lines.lines[LineId(i)].attributes = index;
+  for (std::size_t i = first.points; i < lines.points.size(); ++i)
+    lines.points[PointId(i)].attributes = index;
 }
 
 void AttributeCollector::tell(const std::string& file) const {

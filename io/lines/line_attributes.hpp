@@ -1,5 +1,6 @@
-// The properties of features that travel with their lines: name, set, aperture and material, in either case
-// of letters. The layer of a drawing (DXF, QGIS) is the set of what has none. All others stay behind.
+// The properties of features that travel with their lines and points: name, set, aperture and material, in
+// either case of letters. The layer of a drawing (DXF, QGIS) is the set of what has none. All others stay
+// behind.
 #pragma once
 
 #include <cstddef>
@@ -20,8 +21,8 @@ class AttributeCollector {
 
   [[nodiscard]] static bool knows(std::string_view key);
 
-  // Gives what was set to the lines from `first` on, and forgets it.
-  void assign(std::size_t first, LineSet& lines);
+  // Gives what was set to the lines and points from `first` on, and forgets it.
+  void assign(const LineSetMark& first, LineSet& lines);
 
   // Warns once if there were apertures that are no number of 0 or more, which are left out, and once of texts
   // whose encoding was guessed.

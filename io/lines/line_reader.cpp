@@ -52,15 +52,16 @@ void read_file(const std::string& path, const OgrOptions& options, LineSet& line
 LineSet read_lines(const std::vector<std::string>& paths, const OgrOptions& options) {
   LineSet result;
   for (const std::string& path : paths) {
-    const std::size_t before = result.lines.size();
+    const LineSetMark before = LineSetMark::of(result);
     read_file(path, options, result);
-    if (result.lines.size() == before && paths.size() > 1) log::warn("{}: holds no lines", input_name(path));
+    if (result.lines.size() == before.lines && result.points.size() == before.points && paths.size() > 1)
+      log::warn("{}: holds no lines and no points", input_name(path));
   }
-  if (result.lines.empty())
+  if (result.lines.empty() && result.points.empty())
     throw Error(
         ErrorKind::kInput,
-        fmt::format("{}: no lines in the input; give a file with LineString, MultiLineString, Polygon "
-                    "or MultiPolygon features",
+        fmt::format("{}: no lines in the input; give a file with LineString, MultiLineString, Polygon, "
+                    "MultiPolygon or Point features",
                     fmt::join(result.files, ", ")));
   return result;
 }

@@ -15,7 +15,7 @@ namespace {
 
 struct GeometryType {
   std::string_view name;
-  std::size_t part_depth;  // depth of the arrays of positions; 0: no lines
+  std::size_t part_depth;  // depth of the arrays of positions; 0: points
   bool polygon;
 };
 
@@ -93,10 +93,28 @@ std::string NestedCoordinates::end_array() {
   return {};
 }
 
-std::string NestedCoordinates::append_lines(std::string_view type, std::uint32_t file, std::uint32_t feature,
-                                            LineSet& lines) const {
+// A single position, or a list of them: well-known text has brackets around that of a Point as well.
+std::string NestedCoordinates::append_points(std::uint32_t file, std::uint32_t feature,
+                                             LineSet& lines) const {
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    InputPoint point{points_[i]};
+    if (!std::isnan(heights_[i])) point.height = heights_[i];
+    point.file = file;
+    point.feature = feature;
+    lines.points.push_back(point);
+  }
+  return {};
+}
+
+std::string NestedCoordinates::append_geometry(std::string_view type, std::uint32_t file,
+                                               std::uint32_t feature, LineSet& lines) const {
   const GeometryType* known = find_type(type);
-  if (known == nullptr || known->part_depth == 0) return {};
+  if (known == nullptr) return {};
+  if (known->part_depth == 0) {
+    for (const Part& part : parts_)
+      if (part.depth > 1) return fmt::format("the coordinates of a {} are nested too deep", type);
+    return append_points(file, feature, lines);
+  }
   if (parts_.empty()) return fmt::format("the coordinates of a {} are a single position", type);
   std::size_t last_polygon = static_cast<std::size_t>(-1);
   for (const Part& part : parts_) {

@@ -27,9 +27,9 @@ class NestedCoordinates {
   // "position 3 (after (1, 2))": where the parser is, counted from 1 within this geometry.
   [[nodiscard]] std::string place() const;
 
-  // Appends the lines of a geometry of this type; file and feature are stamped on them.
-  [[nodiscard]] std::string append_lines(std::string_view type, std::uint32_t file, std::uint32_t feature,
-                                         LineSet& lines) const;
+  // Appends the lines or points of a geometry of this type; file and feature are stamped on them.
+  [[nodiscard]] std::string append_geometry(std::string_view type, std::uint32_t file, std::uint32_t feature,
+                                            LineSet& lines) const;
 
  private:
   enum class Holds { kNothing, kNumbers, kArrays };
@@ -46,6 +46,8 @@ class NestedCoordinates {
     std::size_t polygon = 0;  // how many arrays of depth 2 ended before
   };
 
+  [[nodiscard]] std::string append_points(std::uint32_t file, std::uint32_t feature, LineSet& lines) const;
+
   std::vector<Array> stack_;
   std::vector<Vec2> points_;
   std::vector<double> heights_;  // not a number where there is none
@@ -56,7 +58,7 @@ class NestedCoordinates {
   bool complete_ = false;
 };
 
-// Whether a type of geometry has "coordinates" at all, lines or not.
+// Whether a type of geometry has "coordinates" at all.
 [[nodiscard]] bool type_has_coordinates(std::string_view type);
 
 }  // namespace quarry

@@ -30,7 +30,7 @@ class PlineReader {
 
  private:
   void read_object() {
-    const std::size_t first = lines_.lines.size();
+    const LineSetMark first = LineSetMark::of(lines_);
     points_.clear();
     point_of_ = {};
     begin_part();
@@ -39,7 +39,7 @@ class PlineReader {
     ++feature_;
     // Subtracting from 0 makes no negative zero.
     if (text_.depth())
-      for (std::size_t i = first; i < lines_.lines.size(); ++i)
+      for (std::size_t i = first.lines; i < lines_.lines.size(); ++i)
         for (double& z : lines_.lines[LineId(i)].heights) z = 0 - z;
     attributes_.set("name", text_.name());
     attributes_.assign(first, lines_);

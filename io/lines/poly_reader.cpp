@@ -86,6 +86,7 @@ class PolyReader {
     }
     if (!holes_.empty()) mark_rings();
     append_all();
+    append_points();
   }
 
  private:
@@ -189,7 +190,7 @@ class PolyReader {
   }
 
   void append(Line& line) {
-    const std::size_t first = lines_.lines.size();
+    const LineSetMark first = LineSetMark::of(lines_);
     append_line(source_, 1, std::move(line.input), lines_);
     if (line.marker == 0) return;
     attributes_.set("set", static_cast<double>(line.marker));
@@ -205,6 +206,19 @@ class PolyReader {
         found_[hole].input.polygon_ring = found_[hole].input.hole = true;
         append(found_[hole]);
       }
+    }
+  }
+
+  // Vertices of no segment are to become vertices of the mesh all the same.
+  void append_points() {
+    std::vector<bool> used(points_.size(), false);
+    for (const MarkedSegment& segment : segments_) used[segment.from] = used[segment.to] = true;
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      if (used[i]) continue;
+      InputPoint point{points_[i]};
+      point.file = source_.file;
+      point.feature = static_cast<std::uint32_t>(found_.size() + lines_.points.size());
+      lines_.points.push_back(point);
     }
   }
 

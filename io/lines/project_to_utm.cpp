@@ -25,6 +25,8 @@ Box2 box_in_degrees(const LineSet& lines) {
   for (const InputLine& line : lines.lines)
     if (lines.systems[line.file].geographic)
       for (const Vec2 p : line.points) box.extend(p);
+  for (const InputPoint& point : lines.points)
+    if (lines.systems[point.file].geographic) box.extend(point.place);
   return box;
 }
 
@@ -63,20 +65,22 @@ class Projector {
         throw Error(ErrorKind::kInput, fmt::format("{}: PROJ does not know its coordinate system: {}",
                                                    lines.files[file], definition.substr(0, 200)));
       for (InputLine& line : lines.lines)
-        if (line.file == file) project(line, lines.files[file], transform.get());
+        if (line.file == file)
+          for (Vec2& p : line.points) p = projected(p, line.feature, lines.files[file], transform.get());
+      for (InputPoint& point : lines.points)
+        if (point.file == file)
+          point.place = projected(point.place, point.feature, lines.files[file], transform.get());
     }
   }
 
  private:
-  static void project(InputLine& line, const std::string& file, PJ* transform) {
-    for (Vec2& p : line.points) {
-      const PJ_COORD result = proj_trans(transform, PJ_FWD, proj_coord(p.x, p.y, 0, HUGE_VAL));
-      if (!is_usable_coordinate(result.xy.x) || !is_usable_coordinate(result.xy.y))
-        throw Error(ErrorKind::kInput, fmt::format("{}: feature {}: {} has no place in the plane; correct or "
-                                                   "remove it",
-                                                   file, line.feature, format_point(p.x, p.y)));
-      p = {result.xy.x, result.xy.y};
-    }
+  static Vec2 projected(Vec2 p, std::uint32_t feature, const std::string& file, PJ* transform) {
+    const PJ_COORD result = proj_trans(transform, PJ_FWD, proj_coord(p.x, p.y, 0, HUGE_VAL));
+    if (!is_usable_coordinate(result.xy.x) || !is_usable_coordinate(result.xy.y))
+      throw Error(ErrorKind::kInput, fmt::format("{}: feature {}: {} has no place in the plane; correct or "
+                                                 "remove it",
+                                                 file, feature, format_point(p.x, p.y)));
+    return {result.xy.x, result.xy.y};
   }
 
   std::string target_;

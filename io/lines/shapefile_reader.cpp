@@ -30,9 +30,7 @@ struct DestroyShape {
   void operator()(SHPObject* shape) const { SHPDestroyObject(shape); }
 };
 
-bool is_point(int type) {
-  return type == SHPT_NULL || type % 10 == SHPT_POINT || type % 10 == SHPT_MULTIPOINT;
-}
+bool is_point(int type) { return type % 10 == SHPT_POINT || type % 10 == SHPT_MULTIPOINT; }
 bool is_polygon(int type) { return type % 10 == SHPT_POLYGON; }
 bool has_heights(int type) { return type / 10 == 1; }
 
@@ -53,7 +51,7 @@ class ShapefileReader {
       const std::unique_ptr<SHPObject, DestroyShape> shape(SHPReadObject(file.get(), i));
       feature_ = static_cast<std::uint32_t>(i);
       if (!shape) fail_in_feature(fmt::format("cannot be read: {}", shapelib_message));
-      const std::size_t first = lines_.lines.size();
+      const LineSetMark first = LineSetMark::of(lines_);
       read_shape(*shape);
       table_.read(i, attributes_);
       attributes_.assign(first, lines_);
@@ -89,7 +87,8 @@ class ShapefileReader {
   void read_shape(const SHPObject& shape) {
     if (shape.nSHPType == SHPT_MULTIPATCH)
       fail_in_feature("a patch of a surface; only lines and polygons are read");
-    if (is_point(shape.nSHPType)) return;
+    if (shape.nSHPType == SHPT_NULL) return;
+    if (is_point(shape.nSHPType)) return read_points(shape);
     std::vector<Ring> rings;
     for (int part = 0; part < shape.nParts; ++part) {
       const int begin = shape.panPartStart[part];
@@ -105,19 +104,38 @@ class ShapefileReader {
     }
   }
 
+  void read_points(const SHPObject& shape) const {
+    for (int i = 0; i < shape.nVertices; ++i) {
+      InputPoint point{read_position(shape, i)};
+      if (has_height(shape, i)) point.height = shape.padfZ[i];
+      point.file = source_.file;
+      point.feature = feature_;
+      lines_.points.push_back(point);
+    }
+  }
+
+  [[nodiscard]] Vec2 read_position(const SHPObject& shape, int i) const {
+    const Vec2 p{shape.padfX[i], shape.padfY[i]};
+    if (!is_usable_coordinate(p.x) || !is_usable_coordinate(p.y))
+      fail_in_feature(
+          fmt::format("position {}: ({}, {}) is not a usable point; the largest coordinate is {:g}", i + 1,
+                      p.x, p.y, kLargestCoordinate));
+    return p;
+  }
+
+  static bool has_height(const SHPObject& shape, int i) {
+    return has_heights(shape.nSHPType) && shape.padfZ != nullptr && is_usable_coordinate(shape.padfZ[i]) &&
+           shape.padfZ[i] > kNoData;
+  }
+
   InputLine read_part(const SHPObject& shape, int begin, int end) const {
     InputLine line;
-    bool heights = has_heights(shape.nSHPType) && shape.padfZ != nullptr;
+    bool heights = true;
     for (int i = begin; i < end; ++i) {
-      const Vec2 p{shape.padfX[i], shape.padfY[i]};
-      if (!is_usable_coordinate(p.x) || !is_usable_coordinate(p.y))
-        fail_in_feature(
-            fmt::format("position {}: ({}, {}) is not a usable point; the largest coordinate is {:g}", i + 1,
-                        p.x, p.y, kLargestCoordinate));
-      line.points.push_back(p);
-      heights = heights && is_usable_coordinate(shape.padfZ[i]) && shape.padfZ[i] > kNoData;
+      line.points.push_back(read_position(shape, i));
+      heights = heights && has_height(shape, i);
     }
-    if (heights) line.heights.assign(shape.padfZ + begin, shape.padfZ + end);
+    if (heights && end > begin) line.heights.assign(shape.padfZ + begin, shape.padfZ + end);
     if (line.points.size() == 1)
       fail_in_feature(fmt::format("a line of one point at {}; a line needs two points",
                                   format_point(line.points[0].x, line.points[0].y)));

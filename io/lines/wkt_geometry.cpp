@@ -109,7 +109,7 @@ class WktParser {
     coordinates_.clear();
     const bool read =
         empty ? check(coordinates_.start_array()) && check(coordinates_.end_array()) : read_list(type->depth);
-    return read && check(coordinates_.append_lines(type->type, file_, feature_, lines_));
+    return read && check(coordinates_.append_geometry(type->type, file_, feature_, lines_));
   }
 
   bool read_collection(int depth) {

@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::string_view kRegionPrefix = "region_";
 constexpr std::string_view kLinePrefix = "line_";
+constexpr std::string_view kPointPrefix = "point_";
 constexpr std::string_view kUnnumbered = "unnumbered";
 constexpr std::string_view kLeftSuffix = "_left", kRightSuffix = "_right";
 // Stand-ins count down from here.
@@ -30,6 +31,10 @@ std::string region_name(std::int32_t region, const GroupNames& names) {
 
 std::string line_name(std::int32_t constraint, const GroupNames& names) {
   return name_of(kLinePrefix, constraint, names.lines);
+}
+
+std::string point_name(std::int32_t point, const GroupNames& names) {
+  return name_of(kPointPrefix, point, names.points);
 }
 
 std::string line_side_name(std::int32_t constraint, std::int32_t side, const GroupNames& names) {

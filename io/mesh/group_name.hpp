@@ -17,6 +17,8 @@ inline constexpr std::string_view kOuterBoundaryName = "outer_boundary";
 [[nodiscard]] std::string region_name(std::int32_t region, const GroupNames& names);
 // "line_<n>", or the name that a file gave it; "line_unnumbered" for -1.
 [[nodiscard]] std::string line_name(std::int32_t constraint, const GroupNames& names);
+// "point_<n>", or the name that a file gave it.
+[[nodiscard]] std::string point_name(std::int32_t point, const GroupNames& names);
 
 // The same for the edges of a line on one side of it, where the mesh is split: "line_<n>_left" or
 // "line_<n>_right".

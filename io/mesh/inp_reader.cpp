@@ -7,11 +7,11 @@
 
 #include "io/lower_case.hpp"
 #include "io/mapped_file.hpp"
+#include "io/mesh/extra_groups.hpp"
 #include "io/mesh/group_name.hpp"
 #include "io/mesh/inp_format.hpp"
 #include "io/mesh/inp_line.hpp"
 #include "io/mesh/inp_sets.hpp"
-#include "io/mesh/line_group_names.hpp"
 #include "io/mesh/number_index.hpp"
 #include "io/text_cursor.hpp"
 
@@ -197,6 +197,7 @@ class InpReader {
       fail(fmt::format("element {} is given twice", number));
     cells_.faces.push_back(corners);
     cells_.regions.push_back(group(regions_, set_, -1));
+    named_by_us_.push_back(lower_case(set_).starts_with("region_"));
   }
 
   VertexId node(std::int64_t number) const {
@@ -254,9 +255,10 @@ class InpReader {
     return numbers.number(ours ? lower : name);
   }
 
-  // Faces that no set holds are one region of their own.
+  // Faces that no set holds are one region of their own. What names sets have beside "region_<n>" is told of
+  // regions, not of parts of them.
   void group_faces() {
-    std::vector<bool> held(cells_.faces.size(), false);
+    std::vector<bool> held = named_by_us_;
     const auto take = [&](std::size_t set, bool again) {
       const std::int32_t number = group(regions_, sets_.name(set), -1);
       sets_.for_each(set, [&](std::int64_t element) {
@@ -310,7 +312,7 @@ class InpReader {
     const bool lines = std::ranges::any_of(
         surfaces_, [](const SurfacePart& part) { return lower_case(part.name).starts_with("line_"); });
     for (const SurfacePart& part : surfaces_) {
-      if (lines && is_line_group_name(part.name)) continue;
+      if (lines && is_extra_line_group(part.name)) continue;
       const std::int32_t number = group(lines_, part.name, -1);
       const auto add_side = [&](std::int64_t element) {
         const std::uint32_t face = face_of_.find(element);
@@ -341,6 +343,7 @@ class InpReader {
   std::vector<std::string> sections_;
   std::vector<SurfacePart> surfaces_;
   InpSets sets_;
+  std::vector<bool> named_by_us_;  // one for each face
   GroupNumbers regions_ = region_numbers();
   GroupNumbers lines_ = line_numbers();
 };

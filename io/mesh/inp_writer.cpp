@@ -4,10 +4,11 @@
 #include <fmt/format.h>
 
 #include "io/mesh/cell_nodes.hpp"
+#include "io/mesh/extra_groups.hpp"
 #include "io/mesh/group_name.hpp"
 #include "io/mesh/grouped_entities.hpp"
 #include "io/mesh/inp_format.hpp"
-#include "io/mesh/line_group_names.hpp"
+#include "io/mesh/marked_points.hpp"
 #include "io/text_output.hpp"
 
 namespace quarry {
@@ -39,9 +40,13 @@ class InpWriter {
       file_.write(fmt::format("** {}: {}\n", field.name, field.text));
     write_nodes();
     for (const FaceGroup& group : grouped_.face_groups) write_faces(group);
+    write_element_groups();
     std::size_t next = grouped_.faces.size() + 1;
     for (const EdgeGroup& group : grouped_.edge_groups) next = write_edges(group, next);
     write_node_sets();
+    for (const MarkedPoint& point : marked_points(mesh_, numbering_))
+      file_.write(fmt::format("*NSET, NSET={}\n{},\n", word_of(point_name(point.point, options_.names)),
+                              point.vertex + 1));
     write_line_groups();
     file_.commit();
   }
@@ -67,6 +72,20 @@ class InpWriter {
       for (int k = 0; k < nodes; ++k) line << ", " << nodes_.face_node(f, k) + 1;
       line << "\n";
     });
+  }
+
+  // All faces of a region are in the same groups.
+  void write_element_groups() {
+    const ExtraGroups<FaceId> groups(mesh_, options_.groups);
+    std::vector<std::vector<std::uint32_t>> elements(groups.all().size());
+    for (const FaceGroup& group : grouped_.face_groups)
+      for (const std::size_t extra : groups.of(grouped_.faces[group.begin]))
+        for (std::size_t i = group.begin; i < group.end; ++i)
+          elements[extra].push_back(element_of_[grouped_.faces[i]]);
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+      file_.write(fmt::format("*ELSET, ELSET={}\n", word_of(groups.all()[i])));
+      write_numbers(elements[i]);
+    }
   }
 
   // The side of a face that an edge is, or none.
@@ -127,10 +146,14 @@ class InpWriter {
     std::sort(nodes.begin(), nodes.end());
     nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
     file_.write(fmt::format("*NSET, NSET={}\n", name));
+    write_numbers(nodes);
+  }
+
+  void write_numbers(const std::vector<std::uint32_t>& numbers) {
     constexpr std::size_t kInLine = 16;
-    write_lines(file_, (nodes.size() + kInLine - 1) / kInLine, [&](TextLine line, std::size_t i) {
-      const std::size_t end = std::min(nodes.size(), (i + 1) * kInLine);
-      for (std::size_t k = i * kInLine; k < end; ++k) line << nodes[k] << (k + 1 < end ? ", " : ",\n");
+    write_lines(file_, (numbers.size() + kInLine - 1) / kInLine, [&](TextLine line, std::size_t i) {
+      const std::size_t end = std::min(numbers.size(), (i + 1) * kInLine);
+      for (std::size_t k = i * kInLine; k < end; ++k) line << numbers[k] << (k + 1 < end ? ", " : ",\n");
     });
   }
 
@@ -145,7 +168,7 @@ class InpWriter {
 
   // A piece of several lines of a group is in it once.
   void write_line_groups() {
-    const LineGroupNames groups(mesh_, options_.line_groups);
+    const ExtraGroups<EdgeId> groups(mesh_, options_.groups);
     std::vector<std::vector<SideId>> sides(groups.all().size());
     for (const EdgeId e : grouped_.edges)
       if (const SideId side = side_of(e); side.valid())

@@ -20,9 +20,10 @@ struct FieldText {
   friend bool operator==(const FieldText&, const FieldText&) = default;
 };
 
-// Names of regions and lines that are not those of io/mesh/group_name.hpp: what other programs call them.
+// Names of regions, lines and points that are not those of io/mesh/group_name.hpp: what other programs call
+// them.
 struct GroupNames {
-  std::map<std::int32_t, std::string> regions, lines;
+  std::map<std::int32_t, std::string> regions, lines, points;
 };
 
 // Nodes at corners alone; in the middle of edges too (6 a triangle, 8 a quad); in the middle of quads as well
@@ -32,18 +33,19 @@ enum class ElementOrder { kLinear, kQuadratic, kBiquadratic };
 // Programs that want a format in a form of their own: OpenGeoSys (.vtu), MOOSE (.msh).
 enum class MeshConsumer { kAny, kOpenGeoSys, kMoose };
 
-// Groups of lines beside the lines themselves. The edge tag of this name (int32) holds for each edge an index
-// into the names, or -1.
-struct LineGrouping {
+// Groups of lines beside the lines themselves, or of regions beside these. The edge tag of this name (int32),
+// the face tag of this name, or both, hold for each edge and face an index into the names, or -1.
+struct Grouping {
   std::string tag;
   std::vector<std::string> names;
+  bool bare = false;  // where groups have names: "top", and not "box_side_top"
 };
 
 struct MeshWriteOptions {
   // Where the format has a place for them.
   std::vector<FieldText> fields = {};
   GroupNames names = {};
-  std::vector<LineGrouping> line_groups = {};
+  std::vector<Grouping> groups = {};
   // One value for each face slot; empty: not written. Formats without cell data leave them out.
   std::span<const double> scaled_jacobian = {};
   // zlib, where the format knows it. The bytes do not depend on the number of threads.
@@ -55,6 +57,9 @@ struct MeshWriteOptions {
 
 // The edge tag with the apertures of lines (double; NaN where none is given), where a mesh has it.
 inline constexpr const char* kApertureTag = "aperture";
+
+// The vertex tag (int32) with the numbers of input points, -1 elsewhere, where a mesh has it.
+inline constexpr const char* kPointTag = "point";
 
 // Values of the edge tag "kind".
 inline constexpr std::int32_t kInteriorConstraint = 1;

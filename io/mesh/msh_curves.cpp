@@ -1,16 +1,12 @@
 #include "io/mesh/msh_curves.hpp"
 
-#include <span>
+#include <map>
 #include <utility>
 
 #include "io/mesh/group_name.hpp"
 
 namespace quarry {
 namespace {
-
-std::span<const std::uint32_t> edges_of(const GroupedEntities& grouped, const EdgeGroup& group) {
-  return std::span(grouped.edge_places).subspan(group.begin, group.end - group.begin);
-}
 
 // The group of the line, or side of one, that a group of edges belongs to; groups of edges come in their
 // order.
@@ -24,26 +20,30 @@ std::size_t line_group(const EdgeGroup& group, const EdgeGroup* before, const Gr
 }  // namespace
 
 MshCurves curves_by_line(const GroupedEntities& grouped, const GroupNames& names,
-                         const LineGroupNames& line_groups) {
+                         const ExtraGroups<EdgeId>& extra_groups) {
   MshCurves result;
   result.names.emplace_back(kOuterBoundaryName);
   const EdgeGroup* before = nullptr;
+  std::vector<std::vector<std::size_t>> extra_of_curve;
   for (const EdgeGroup& group : grouped.edge_groups) {
     const std::size_t line = line_group(group, before, names, result);
     before = &group;
     MshCurve curve;
     if (group.kind == kOuterBoundary) curve.groups.push_back(1);
     if (group.constraint >= 0 || group.kind != kOuterBoundary) curve.groups.push_back(line);
-    const auto edges = edges_of(grouped, group);
-    curve.edges.assign(edges.begin(), edges.end());
-    result.curves.push_back(std::move(curve));
+    // All edges of a curve are in the same groups: the sides of a box are curves of their own.
+    std::map<std::vector<std::size_t>, std::vector<std::uint32_t>> parts;
+    for (std::size_t i = group.begin; i < group.end; ++i)
+      parts[extra_groups.of(grouped.edges[i])].push_back(grouped.edge_places[i]);
+    for (auto& [groups, edges] : parts) {
+      result.curves.push_back({curve.groups, std::move(edges)});
+      extra_of_curve.push_back(groups);
+    }
   }
   const std::size_t first = result.names.size() + 1;
-  result.names.insert(result.names.end(), line_groups.all().begin(), line_groups.all().end());
+  result.names.insert(result.names.end(), extra_groups.all().begin(), extra_groups.all().end());
   for (std::size_t i = 0; i < result.curves.size(); ++i)
-    // All edges of a line are in the same groups.
-    for (const std::size_t group : line_groups.of(grouped.edges[grouped.edge_groups[i].begin]))
-      result.curves[i].groups.push_back(first + group);
+    for (const std::size_t group : extra_of_curve[i]) result.curves[i].groups.push_back(first + group);
   return result;
 }
 

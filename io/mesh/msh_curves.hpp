@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "io/mesh/extra_groups.hpp"
 #include "io/mesh/fracture_groups.hpp"
 #include "io/mesh/grouped_entities.hpp"
-#include "io/mesh/line_group_names.hpp"
 #include "io/mesh/mesh_file.hpp"
 
 namespace quarry {
@@ -33,7 +33,7 @@ struct MshCurves {
 // Group 1 is the outer boundary, and each line, or each side of one, has one too; groups of lines follow. An
 // edge may be in several.
 [[nodiscard]] MshCurves curves_by_line(const GroupedEntities& grouped, const GroupNames& names,
-                                       const LineGroupNames& line_groups);
+                                       const ExtraGroups<EdgeId>& extra_groups);
 
 // As libMesh, and so MOOSE, reads them: a curve is in one group, and no tag is that of a surface too. The
 // outer boundary and each line become sidesets; each line is there again as "..._lower_dimensional_block",

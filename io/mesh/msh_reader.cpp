@@ -7,8 +7,8 @@
 
 #include "engine/base/error.hpp"
 #include "io/mapped_file.hpp"
+#include "io/mesh/extra_groups.hpp"
 #include "io/mesh/group_name.hpp"
-#include "io/mesh/line_group_names.hpp"
 #include "io/mesh/msh_format.hpp"
 #include "io/mesh/number_index.hpp"
 #include "io/mesh/read_cells.hpp"
@@ -238,7 +238,7 @@ class MshReader {
       const auto is_line = [&](std::int64_t group) { return name_of(dimension, group).starts_with("line_"); };
       const bool lines = dimension == 1 && std::ranges::any_of(entity->second, is_line);
       for (const std::int64_t group : entity->second)
-        if (!lines || !is_line_group_name(name_of(dimension, group)))
+        if (!lines || !is_extra_line_group(name_of(dimension, group)))
           numbers.push_back(number_of_group(dimension, group));
     }
     if (std::any_of(numbers.begin(), numbers.end(), [](std::int32_t n) { return n != -1; }))

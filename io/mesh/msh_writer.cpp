@@ -4,9 +4,10 @@
 #include <fmt/ranges.h>
 
 #include "io/mesh/cell_nodes.hpp"
+#include "io/mesh/extra_groups.hpp"
 #include "io/mesh/group_name.hpp"
 #include "io/mesh/grouped_entities.hpp"
-#include "io/mesh/line_group_names.hpp"
+#include "io/mesh/marked_points.hpp"
 #include "io/mesh/msh_curves.hpp"
 #include "io/mesh/msh_format.hpp"
 #include "io/text_output.hpp"
@@ -42,9 +43,16 @@ class MshWriter {
         grouped_(group_entities(mesh, numbering_)),
         lines_(options.consumer == MeshConsumer::kMoose
                    ? curves_for_moose(fracture_groups(mesh, numbering_, grouped_, options.names))
-                   : curves_by_line(grouped_, options.names, LineGroupNames(mesh, options.line_groups))) {
-    for (const FaceGroup& group : grouped_.face_groups)
-      if (regions_.empty() || regions_.back() != group.region) regions_.push_back(group.region);
+                   : curves_by_line(grouped_, options.names, ExtraGroups<EdgeId>(mesh, options.groups))) {
+    // MOOSE would take them for blocks of the lowest dimension.
+    if (options.consumer != MeshConsumer::kMoose) points_ = marked_points(mesh, numbering_);
+    const ExtraGroups<FaceId> extra(mesh, options.groups);
+    for (const FaceGroup& group : grouped_.face_groups) {
+      if (!regions_.empty() && regions_.back() == group.region) continue;
+      regions_.push_back(group.region);
+      extra_of_region_.push_back(extra.of(grouped_.faces[group.begin]));
+    }
+    if (options.consumer != MeshConsumer::kMoose) extra_names_ = extra.all();
   }
 
   void write(const MeshWriteOptions& options) {
@@ -65,13 +73,23 @@ class MshWriter {
  private:
   // Entity tags count from 1, of curves and of surfaces; the physical tag of a surface follows from it.
   void write_names(const GroupNames& names) {
-    file_.write(fmt::format("$PhysicalNames\n{}\n", lines_.names.size() + regions_.size()));
+    file_.write(fmt::format("$PhysicalNames\n{}\n",
+                            points_.size() + lines_.names.size() + regions_.size() + extra_names_.size()));
+    for (std::size_t i = 0; i < points_.size(); ++i)
+      file_.write(fmt::format("0 {} \"{}\"\n", i + 1, point_name(points_[i].point, names)));
     for (std::size_t i = 0; i < lines_.names.size(); ++i)
       file_.write(fmt::format("1 {} \"{}\"\n", i + 1, lines_.names[i]));
     for (std::size_t i = 0; i < regions_.size(); ++i)
       file_.write(
           fmt::format("2 {} \"{}\"\n", lines_.surface_offset + i + 1, region_name(regions_[i], names)));
+    for (std::size_t i = 0; i < extra_names_.size(); ++i)
+      file_.write(fmt::format("2 {} \"{}\"\n", extra_tag(i), extra_names_[i]));
     file_.write("$EndPhysicalNames\n");
+  }
+
+  // Of the physical surface of an extra group.
+  [[nodiscard]] std::size_t extra_tag(std::size_t group) const {
+    return lines_.surface_offset + regions_.size() + group + 1;
   }
 
   [[nodiscard]] std::size_t surface_tag(std::int32_t region) const {
@@ -94,14 +112,23 @@ class MshWriter {
 
   void write_entities() {
     const std::string box = bounds();
-    file_.write(fmt::format("$Entities\n0 {} {} 0\n", lines_.curves.size(), regions_.size()));
+    file_.write(
+        fmt::format("$Entities\n{} {} {} 0\n", points_.size(), lines_.curves.size(), regions_.size()));
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      const Vec3 p = nodes_.point(points_[i].vertex);
+      file_.write(fmt::format("{} {} {} {} 1 {}\n", i + 1, p.x, p.y, p.z, i + 1));
+    }
     for (std::size_t i = 0; i < lines_.curves.size(); ++i) {
       const std::vector<std::size_t>& groups = lines_.curves[i].groups;
       file_.write(fmt::format("{} {} {}{}{} 0\n", i + 1, box, groups.size(), groups.empty() ? "" : " ",
                               fmt::join(groups, " ")));
     }
-    for (std::size_t i = 0; i < regions_.size(); ++i)
-      file_.write(fmt::format("{} {} 1 {} 0\n", i + 1, box, lines_.surface_offset + i + 1));
+    for (std::size_t i = 0; i < regions_.size(); ++i) {
+      std::vector<std::size_t> groups = {lines_.surface_offset + i + 1};
+      if (!extra_names_.empty())
+        for (const std::size_t group : extra_of_region_[i]) groups.push_back(extra_tag(group));
+      file_.write(fmt::format("{} {} {} {} 0\n", i + 1, box, groups.size(), fmt::join(groups, " ")));
+    }
     file_.write("$EndEntities\n");
   }
 
@@ -117,10 +144,13 @@ class MshWriter {
   }
 
   void write_elements() {
-    const std::size_t lines = lines_.edge_count(), count = lines + grouped_.faces.size();
-    file_.write(fmt::format("$Elements\n{} {} 1 {}\n", lines_.curves.size() + grouped_.face_groups.size(),
-                            count, count));
-    std::size_t first = 1;
+    const std::size_t before = points_.size() + lines_.edge_count(), count = before + grouped_.faces.size();
+    file_.write(fmt::format("$Elements\n{} {} 1 {}\n",
+                            points_.size() + lines_.curves.size() + grouped_.face_groups.size(), count,
+                            count));
+    for (std::size_t i = 0; i < points_.size(); ++i)
+      file_.write(fmt::format("0 {} 15 1\n{} {}\n", i + 1, i + 1, points_[i].vertex + 1));
+    std::size_t first = points_.size() + 1;
     for (std::size_t g = 0; g < lines_.curves.size(); ++g) {
       const std::vector<std::uint32_t>& edges = lines_.curves[g].edges;
       file_.write(fmt::format("1 {} {} {}\n", g + 1, msh_line_type(nodes_.edge_count()), edges.size()));
@@ -131,18 +161,18 @@ class MshWriter {
       });
       first += edges.size();
     }
-    for (const FaceGroup& group : grouped_.face_groups) write_faces(group, lines);
+    for (const FaceGroup& group : grouped_.face_groups) write_faces(group, before);
     file_.write("$EndElements\n");
   }
 
-  // lines: elements before the faces.
-  void write_faces(const FaceGroup& group, std::size_t lines) {
+  // before: elements before the faces.
+  void write_faces(const FaceGroup& group, std::size_t before) {
     const int nodes = nodes_.face_count(grouped_.faces[group.begin]);
     file_.write(fmt::format("2 {} {} {}\n", surface_tag(group.region), msh_face_type(nodes),
                             group.end - group.begin));
     write_lines(file_, group.end - group.begin, [&](TextLine line, std::size_t i) {
       const FaceId f = grouped_.faces[group.begin + i];
-      line << lines + group.begin + i + 1;
+      line << before + group.begin + i + 1;
       for (int k = 0; k < nodes; ++k) line << " " << nodes_.face_node(f, k) + 1;
       line << "\n";
     });
@@ -154,7 +184,10 @@ class MshWriter {
   CellNodes nodes_;
   GroupedEntities grouped_;
   MshCurves lines_;
+  std::vector<MarkedPoint> points_;
   std::vector<std::int32_t> regions_;  // ascending
+  std::vector<std::vector<std::size_t>> extra_of_region_;
+  std::vector<std::string> extra_names_;  // of surfaces; none for MOOSE, where no face may be in two groups
 };
 
 }  // namespace

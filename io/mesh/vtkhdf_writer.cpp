@@ -89,6 +89,10 @@ class VtkhdfWriter {
     write_array(root, "Connectivity", connectivity);
     write_array(root, "Offsets", from_zero(arrays.cells[1]));
     write_array(root, "Types", arrays.cells[2]);
+    if (!arrays.point_data.empty()) {
+      const Handle point_data = make_group(root, "PointData");
+      for (const VtuArray& array : arrays.point_data) write_array(point_data, array.name.c_str(), array);
+    }
     const Handle cell_data = make_group(root, "CellData");
     for (const VtuArray& array : arrays.cell_data) write_array(cell_data, array.name.c_str(), array);
     if (options.fields.empty()) return;

@@ -190,7 +190,12 @@ VtuArrays make_vtu_arrays(const Mesh& mesh, const LiveNumbering& numbering, cons
   const MeshFileTags tags(mesh);
   const auto starts =
       std::make_shared<const NodeStarts>(numbering, CellNodes(mesh, numbering, options.order));
-  VtuArrays arrays{point_array(starts), cell_arrays(numbering, starts, width), {}};
+  VtuArrays arrays{point_array(starts), cell_arrays(numbering, starts, width), {}, {}};
+  if (const auto point = mesh.find_tag<VertexId, std::int32_t>(kPointTag); point.valid())
+    arrays.point_data.push_back(
+        scalar_array<std::int32_t>(kPointTag, arrays.points.items, [&numbering, point](std::size_t i) {
+          return i < numbering.vertex_count() ? point[numbering.vertex(i)] : -1;
+        }));
   arrays.cell_data.push_back(scalar_array<std::int32_t>(
       "region", cells,
       [&numbering, tags, faces](std::size_t i) { return i < faces ? tags.region(numbering.face(i)) : -1; }));
@@ -218,12 +223,16 @@ VtuArrays make_vtu_arrays(const Mesh& mesh, const LiveNumbering& numbering, cons
         "scaled_jacobian", cells, [&numbering, values = options.scaled_jacobian, faces](std::size_t i) {
           return i < faces ? values[numbering.face(i).value()] : std::numeric_limits<double>::quiet_NaN();
         }));
-  for (const LineGrouping& group : options.line_groups)
-    if (const auto tag = mesh.find_tag<EdgeId, std::int32_t>(group.tag); tag.valid())
-      arrays.cell_data.push_back(
-          scalar_array<std::int32_t>(group.tag, cells, [&numbering, tag, faces](std::size_t i) {
-            return i < faces ? -1 : tag[numbering.edges()[i - faces]];
-          }));
+  for (const Grouping& group : options.groups) {
+    const auto of_edges = mesh.find_tag<EdgeId, std::int32_t>(group.tag);
+    const auto of_faces = mesh.find_tag<FaceId, std::int32_t>(group.tag);
+    if (!of_edges.valid() && !of_faces.valid()) continue;
+    arrays.cell_data.push_back(
+        scalar_array<std::int32_t>(group.tag, cells, [&numbering, of_edges, of_faces, faces](std::size_t i) {
+          if (i < faces) return of_faces.valid() ? of_faces[numbering.face(i)] : -1;
+          return of_edges.valid() ? of_edges[numbering.edges()[i - faces]] : -1;
+        }));
+  }
   if (const auto aperture = mesh.find_tag<EdgeId, double>(kApertureTag); aperture.valid())
     arrays.cell_data.push_back(
         scalar_array<double>(kApertureTag, cells, [&numbering, aperture, faces](std::size_t i) {

@@ -25,6 +25,7 @@ struct VtuArray {
 struct VtuArrays {
   VtuArray points;
   std::vector<VtuArray> cells;  // connectivity, offsets, types
+  std::vector<VtuArray> point_data;
   std::vector<VtuArray> cell_data;
 };
 

@@ -32,6 +32,7 @@ constexpr int kCompressionLevel = 3;
 std::vector<const VtuArray*> in_file_order(const VtuArrays& arrays) {
   std::vector<const VtuArray*> order = {&arrays.points};
   for (const VtuArray& array : arrays.cells) order.push_back(&array);
+  for (const VtuArray& array : arrays.point_data) order.push_back(&array);
   for (const VtuArray& array : arrays.cell_data) order.push_back(&array);
   return order;
 }
@@ -68,11 +69,10 @@ std::string header_text(const VtuArrays& arrays, const MeshWriteOptions& options
       "header_type=\"UInt64\"{}>\n"
       "  <UnstructuredGrid>\n",
       options.compress ? " compressor=\"vtkZLibDataCompressor\"" : "");
-  if (!options.fields.empty() || !options.line_groups.empty()) {
+  if (!options.fields.empty() || !options.groups.empty()) {
     text += "    <FieldData>\n";
     for (const FieldText& field : options.fields) text += field_element(field.name, {&field.text, 1});
-    for (const LineGrouping& group : options.line_groups)
-      text += field_element(group.tag + "_names", group.names);
+    for (const Grouping& group : options.groups) text += field_element(group.tag + "_names", group.names);
     text += "    </FieldData>\n";
   }
   text += fmt::format("    <Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n      <Points>\n",
@@ -80,7 +80,13 @@ std::string header_text(const VtuArrays& arrays, const MeshWriteOptions& options
   text += array_element(arrays.points, *offset++);
   text += "      </Points>\n      <Cells>\n";
   for (const VtuArray& array : arrays.cells) text += array_element(array, *offset++);
-  text += "      </Cells>\n      <CellData Scalars=\"region\">\n";
+  text += "      </Cells>\n";
+  if (!arrays.point_data.empty()) {
+    text += "      <PointData>\n";
+    for (const VtuArray& array : arrays.point_data) text += array_element(array, *offset++);
+    text += "      </PointData>\n";
+  }
+  text += "      <CellData Scalars=\"region\">\n";
   for (const VtuArray& array : arrays.cell_data) text += array_element(array, *offset++);
   text += "      </CellData>\n    </Piece>\n  </UnstructuredGrid>\n  <AppendedData encoding=\"raw\">\n_";
   return text;
@@ -175,7 +181,7 @@ void write_vtu(const std::string& path, const Mesh& mesh, const MeshWriteOptions
   numbering.keep_edges(fracture_edges(mesh, numbering));
   MeshWriteOptions plain = options;
   plain.fields.clear();
-  plain.line_groups.clear();
+  plain.groups.clear();
   write_numbered(path, mesh, numbering, plain);
 }
 

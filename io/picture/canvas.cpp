@@ -91,4 +91,10 @@ void Canvas::stroke(Colour colour, double opacity, double width) {
   cairo_stroke(context_);
 }
 
+void Canvas::disc(Vec2 centre, double radius, Colour colour) {
+  move_to(centre);
+  line_to(centre);
+  stroke(colour, 1.0, 2 * radius);
+}
+
 }  // namespace quarry

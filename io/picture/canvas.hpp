@@ -34,6 +34,7 @@ class Canvas {
   // Fills the path or strokes it with round ends, and forgets it.
   void fill(Colour colour);
   void stroke(Colour colour, double opacity, double width);
+  void disc(Vec2 centre, double radius, Colour colour);
 
  private:
   void require_success(cairo_status_t status) const;

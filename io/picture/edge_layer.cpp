@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "io/mesh/mesh_file.hpp"
 #include "io/picture/edge_style.hpp"
 #include "io/picture/face_layer.hpp"
 
@@ -98,6 +99,14 @@ void draw_constraints(Canvas& canvas, const PictureView& view, const Mesh& mesh,
     canvas.stroke(options.colours == PictureColours::kConstraint ? line_colour(line) : kConstraintInk, 1.0,
                   width);
   }
+}
+
+void draw_points(Canvas& canvas, const PictureView& view, const Mesh& mesh) {
+  const auto point = mesh.find_tag<VertexId, std::int32_t>(kPointTag);
+  if (!point.valid()) return;
+  const double radius = std::max(1.8 * constraint_width(mean_pixels(view, mesh)), 3.0) * view.unit();
+  for (const VertexId v : mesh.vertices())
+    if (mesh.alive(v) && point[v] >= 0) canvas.disc(view.to_pixels(mesh.point(v)), radius, kOutlineInk);
 }
 
 }  // namespace quarry

@@ -16,4 +16,7 @@ void draw_element_edges(Canvas& canvas, const PictureView& view, const Mesh& mes
 void draw_constraints(Canvas& canvas, const PictureView& view, const Mesh& mesh,
                       const PictureOptions& options);
 
+// Dots at the points of the input, where the mesh has kPointTag.
+void draw_points(Canvas& canvas, const PictureView& view, const Mesh& mesh);
+
 }  // namespace quarry

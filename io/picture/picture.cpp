@@ -84,6 +84,7 @@ std::string draw_plane(Canvas::Format format, const Mesh& mesh, const PictureOpt
   draw_faces(canvas, view, mesh, options);
   draw_element_edges(canvas, view, mesh);
   draw_constraints(canvas, view, mesh, options);
+  draw_points(canvas, view, mesh);
   cairo_restore(canvas.context());
   if (options.window) frame_window(canvas, view);
   draw_legend(canvas, view, mesh, options);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <span>
 #include <utility>
 
 #include <fmt/format.h>
@@ -41,10 +43,12 @@ double largest_coordinate(const LineSet& lines, const Outline& outline) {
   };
   for (const InputLine& line : lines.lines) look_at(line.points);
   for (const OutlineRing& ring : outline.rings) look_at(ring.points);
+  for (const InputPoint& point : lines.points) look_at({point.place});
   return largest;
 }
 
-// Rings of the outline that are input lines stand for these; every other line follows, then every other ring.
+// Rings of the outline that are input lines stand for these; every other line follows, then every other ring,
+// then the points.
 std::vector<RawLine> raw_lines(const LineSet& lines, const Outline& outline) {
   std::vector<RawLine> raw;
   for (const LineId id : IdRange<LineId>(lines.lines.size())) raw.push_back({lines.lines[id].points, id});
@@ -55,6 +59,12 @@ std::vector<RawLine> raw_lines(const LineSet& lines, const Outline& outline) {
     } else {
       raw.push_back({ring.points, LineId(), true, outline.rigid, ring.polygon});
     }
+  }
+  for (const PointId id : IdRange<PointId>(lines.points.size())) {
+    RawLine point{std::span(&lines.points[id].place, 1), LineId()};
+    point.rigid = true;
+    point.point = id;
+    raw.push_back(point);
   }
   return raw;
 }
@@ -79,7 +89,7 @@ std::vector<NodeId> ordered_nodes(const PathNetwork& network) {
   Box2 box;
   std::vector<NodeId> used;
   for (const NodeId node : IdRange<NodeId>(network.nodes.size())) {
-    if (network.degree[node.value()] == 0) continue;
+    if (!network.used(node)) continue;
     used.push_back(node);
     box.extend(network.nodes[node]);
   }
@@ -104,9 +114,10 @@ std::vector<std::pair<std::uint32_t, LineId>> numbers_of_edges(const PathNetwork
   return pairs;
 }
 
-NodedLines noded_lines(const PathNetwork& network) {
+// renamed: the new number of each node.
+NodedLines noded_lines(const PathNetwork& network, IdVector<NodeId, NodeId>& renamed) {
   NodedLines result;
-  IdVector<NodeId, NodeId> renamed(network.nodes.size());
+  renamed = IdVector<NodeId, NodeId>(network.nodes.size());
   for (const NodeId node : ordered_nodes(network))
     renamed[node] = result.nodes.push_back(network.nodes[node]);
   const auto ends_of = [&](const Edge& edge) { return std::minmax(renamed[edge.from], renamed[edge.to]); };
@@ -138,12 +149,18 @@ bool any_line_left(const PathNetwork& network) {
   });
 }
 
+bool any_point_left(const PathNetwork& network) {
+  return std::any_of(network.paths.begin(), network.paths.end(), [&](const Path& path) {
+    return network.raw[path.raw].point.valid() && !path.steps.empty();
+  });
+}
+
 std::string all_files(const LineSet& lines) {
   return lines.files.empty() ? "input" : fmt::format("{}", fmt::join(lines.files, ", "));
 }
 
 void require_lines(const LineSet& lines, const PathNetwork& network, double snap) {
-  if (any_line_left(network)) return;
+  if (lines.lines.empty() || any_line_left(network)) return;
   throw Error(
       ErrorKind::kInput,
       fmt::format(
@@ -153,14 +170,15 @@ void require_lines(const LineSet& lines, const PathNetwork& network, double snap
 }
 
 void require_lines_inside(const LineSet& lines, const Outline& outline, const PathNetwork& network) {
-  if (any_line_left(network)) return;
+  if (lines.lines.empty() ? any_point_left(network) : any_line_left(network)) return;
+  const char* what = lines.lines.empty() ? "point" : "line";
   Box2 box;
   for (const OutlineRing& ring : outline.rings)
     for (const Vec2 p : ring.points) box.extend(p);
   throw Error(
       ErrorKind::kInput,
-      fmt::format("{}: the outline {} holds no part of any line; the lines lie in {}; give another boundary",
-                  all_files(lines), box_text(box), box_text(lines.box())));
+      fmt::format("{}: the outline {} holds no part of any {}; the {}s lie in {}; give another boundary",
+                  all_files(lines), box_text(box), what, what, box_text(lines.box())));
 }
 
 void require_domain(const Outline& outline, const std::vector<linework::EdgePlace>& places) {
@@ -172,6 +190,34 @@ void require_domain(const Outline& outline, const std::vector<linework::EdgePlac
       fmt::format("{}{}the outline near {} has no area at this snapping distance; give a smaller size or "
                   "another boundary",
                   ring.origin, ring.origin.empty() ? "" : ": ", format_point(p.x, p.y)));
+}
+
+std::string text_of_sharers(const std::vector<PointId>& points) {
+  std::vector<std::uint32_t> numbers;
+  for (const PointId id : points) numbers.push_back(id.value());
+  return fmt::format("{}", fmt::join(numbers, ", "));
+}
+
+// What became of the points: those that came nearer than snap share a node.
+IdVector<PointId, PointEntry> point_entries(const LineSet& lines, const PathNetwork& network,
+                                            const IdVector<NodeId, NodeId>& renamed,
+                                            const NodedLines& noded) {
+  IdVector<PointId, PointEntry> entries(lines.points.size());
+  for (PointEntry& entry : entries) entry.why = "lies outside the outline";
+  std::map<NodeId, std::vector<PointId>> sharers;
+  for (const Path& path : network.paths) {
+    const PointId id = network.raw[path.raw].point;
+    if (!id.valid() || path.steps.empty()) continue;
+    PointEntry& entry = entries[id];
+    entry.node = renamed[path.steps.front().node];
+    entry.moved = distance(lines.points[id].place, noded.nodes[entry.node]);
+    entry.why.clear();
+    sharers[entry.node].push_back(id);
+  }
+  for (const auto& [node, points] : sharers)
+    if (points.size() > 1)
+      for (const PointId id : points) entries[id].why = "one vertex for points " + text_of_sharers(points);
+  return entries;
 }
 
 // No invariant is kept at the cost of a line's course: rather no result.
@@ -223,6 +269,7 @@ CleanedLines clean_lines(const LineSet& lines, const Outline& outline, const Cle
   require_lines(lines, network, result.options.snap);
   const auto places = linework::edge_places(network);
   require_domain(outline, places);
+  linework::drop_points_outside(network, places);
   const std::vector<double> clipped = linework::clip_to_domain(network, places);
   require_lines_inside(lines, outline, network);
   linework::note_lost_lines(network, "lies outside the outline", reasons);
@@ -232,10 +279,12 @@ CleanedLines clean_lines(const LineSet& lines, const Outline& outline, const Cle
   linework::note_lost_lines(network, "what is left of it is shorter than the shortest piece (min-edge)",
                             reasons);
   network.build_edges();
-  result.lines = noded_lines(network);
+  IdVector<NodeId, NodeId> renamed;
+  result.lines = noded_lines(network, renamed);
   progress.report("clean", 0.9);
   require_noded(result.lines, result.options.snap);
   result.ledger = linework::make_ledger(lines, network, clipped, reasons);
+  result.points = point_entries(lines, network, renamed, result.lines);
   result.counts.smallest_angle = smallest_angle(result.lines);
   for (const LedgerEntry& entry : result.ledger)
     result.counts.largest_move = std::max(result.counts.largest_move, entry.moved);

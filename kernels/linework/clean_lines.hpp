@@ -52,6 +52,13 @@ struct LedgerEntry {
   double clipped_length = 0;  // length outside the outline
 };
 
+// What became of an input point.
+struct PointEntry {
+  NodeId node;       // none if it was dropped
+  double moved = 0;  // from its place to the node's
+  std::string why;   // of dropped ones, and of those that share the node with others: one line
+};
+
 struct CleanCounts {
   std::uint32_t rounds = 0;        // of snapping and crossing
   std::uint32_t crossings = 0;     // that became nodes
@@ -68,16 +75,20 @@ struct CleanCounts {
 struct CleanedLines {
   NodedLines lines;
   IdVector<LineId, LedgerEntry> ledger;
+  IdVector<PointId, PointEntry> points;
   CleanCounts counts;
   CleanOptions options;            // as used: snap may have been raised
   std::vector<std::string> notes;  // one line each: what the user should be told
 };
 
+// Points are nodes like any other, with no piece where no line comes near; lines are bent to them rather than
+// that they are moved.
+//
 // Nodes come in Hilbert order of their box, pieces by their smaller node, then the larger; from < to by
-// number. Throws Error(kInput) if no line has a part within the outline, Error(kUsage) for lengths that are
-// negative or not finite, Error(kGeometry) with the place if lines are too dense to be joined within snap +
-// min_edge + tolerance of their raw course, and Error(kBug) with the place if the result breaks what the
-// header of NodedLines promises.
+// number. Throws Error(kInput) if no line has a part within the outline (if there are points alone: none of
+// these), Error(kUsage) for lengths that are negative or not finite, Error(kGeometry) with the place if lines
+// are too dense to be joined within snap + min_edge + tolerance of their raw course, and Error(kBug) with the
+// place if the result breaks what the header of NodedLines promises.
 [[nodiscard]] CleanedLines clean_lines(const LineSet& lines, const Outline& outline,
                                        const CleanOptions& options, const Progress& progress = {});
 

@@ -54,8 +54,8 @@ std::vector<Hit> find_hits(const PathNetwork& network, const std::vector<Segment
   return gather<Hit>(network.nodes.size(), [&](std::size_t begin, std::size_t end, std::vector<Hit>& hits) {
     std::vector<std::uint32_t> near;
     for (std::size_t n = begin; n < end; ++n) {
-      if (network.degree[n] == 0) continue;
       const NodeId node(n);
+      if (!network.used(node)) continue;
       const Vec2 p = network.nodes[node];
       grid.find(Box2{p, p}.grown(snap), near);
       for (const std::uint32_t e : near) {

@@ -35,6 +35,13 @@ class RingEdges {
     return left ? EdgePlace::kInside : EdgePlace::kOutside;
   }
 
+  // Whether a node that ends no edge lies in the domain.
+  [[nodiscard]] bool holds(NodeId node) const {
+    constexpr std::uint32_t kNoEdge = 0xffffffff;
+    std::vector<std::uint32_t> within = polygons_left_of(network_.nodes[node], kNoEdge);
+    return keep_odd(within);
+  }
+
  private:
   [[nodiscard]] std::pair<Vec2, Vec2> ends(std::uint32_t edge) const {
     return {network_.nodes[network_.edges[edge].from], network_.nodes[network_.edges[edge].to]};
@@ -90,7 +97,8 @@ class RingEdges {
     for (const std::uint32_t e : edges) rows_.enter(e, ends(e).first.y, ends(e).second.y);
   }
 
-  // The polygons of the edges that a level ray from p to the left crosses.
+  // The polygons of the edges that a level ray from p to the left crosses. except: an edge that does not
+  // count.
   [[nodiscard]] std::vector<std::uint32_t> polygons_left_of(Vec2 p, std::uint32_t except) const {
     std::vector<std::uint32_t> polygons;
     for (const std::uint32_t e : rows_.at(p.y))
@@ -114,12 +122,32 @@ std::vector<EdgePlace> edge_places(const PathNetwork& network) {
   return places;
 }
 
+void drop_points_outside(PathNetwork& network, const std::vector<EdgePlace>& places) {
+  if (std::ranges::none_of(network.marked, [](std::uint8_t mark) { return mark != 0; })) return;
+  std::vector<std::uint8_t> reached(network.nodes.size(), 0);
+  for (std::size_t e = 0; e < places.size(); ++e) {
+    if (places[e] == EdgePlace::kOutside) continue;
+    reached[network.edges[e].from.value()] = reached[network.edges[e].to.value()] = 1;
+  }
+  const RingEdges rings(network);
+  for (Path& path : network.paths) {
+    if (!network.raw[path.raw].point.valid() || path.steps.empty()) continue;
+    const NodeId node = path.steps.front().node;
+    if (reached[node.value()] == 0 && (network.degree[node.value()] > 0 || !rings.holds(node)))
+      path.steps.clear();
+  }
+}
+
 std::vector<double> clip_to_domain(PathNetwork& network, const std::vector<EdgePlace>& places) {
   std::vector<double> clipped(network.raw.size(), 0);
   std::vector<Path> kept;
   for (std::size_t p = 0; p < network.paths.size(); ++p) {
     const Path& path = network.paths[p];
     const RawLine& raw = network.raw[path.raw];
+    if (raw.point.valid()) {
+      kept.push_back(path);
+      continue;
+    }
     Path run;
     run.raw = path.raw;
     for (std::size_t i = 0; i + 1 < path.steps.size(); ++i) {

@@ -66,8 +66,14 @@ bool LinkedPaths::joined(NodeId a, NodeId b) const {
 }
 
 bool LinkedPaths::alone(NodeId node) const {
-  return std::all_of(at(node).begin(), at(node).end(),
-                     [&](std::uint32_t step) { return before(step) == kNone && after(step) == kNone; });
+  return !marked(node) && std::all_of(at(node).begin(), at(node).end(), [&](std::uint32_t step) {
+    return before(step) == kNone && after(step) == kNone;
+  });
+}
+
+bool LinkedPaths::marked(NodeId node) const {
+  return std::any_of(at(node).begin(), at(node).end(),
+                     [&](std::uint32_t step) { return raw_of(step).point.valid(); });
 }
 
 std::vector<NodeId> LinkedPaths::neighbours(NodeId node) const {

@@ -33,8 +33,10 @@ class LinkedPaths {
   [[nodiscard]] double deviation_if_moved(std::uint32_t step, NodeId node) const;
 
   [[nodiscard]] bool joined(NodeId a, NodeId b) const;
-  // A node without edges.
+  // A node without edges that is no input point.
   [[nodiscard]] bool alone(NodeId node) const;
+  // An input point is there.
+  [[nodiscard]] bool marked(NodeId node) const;
   // Distinct, ascending.
   [[nodiscard]] std::vector<NodeId> neighbours(NodeId node) const;
   // One neighbour only.

@@ -58,7 +58,8 @@ class Noder {
   bool may_move_to(const Hit& hit) const {
     if (places_.on_outline(hit.node)) return false;
     return network_.edges[hit.edge].outline ||
-           (places_.ends_one_path(hit.node) && network_.degree[hit.node.value()] == 1);
+           (places_.ends_one_path(hit.node) && network_.degree[hit.node.value()] == 1 &&
+            network_.marked[hit.node.value()] == 0);
   }
 
   bool snap_nodes(const std::vector<Segment>& segments, const SegmentGrid& grid) {
@@ -271,6 +272,9 @@ PathNetwork cluster_points(std::vector<RawLine> raw, double snap) {
   for (const RawLine& line : network.raw)
     if (line.outline)
       for (const Vec2 p : line.points) (void)node_at(p);
+  // Rather a line to a point of the input than that to the line.
+  for (const RawLine& line : network.raw)
+    if (line.point.valid()) (void)node_at(line.points.front());
   for (const RawLine& line : network.raw)
     if (!line.points.empty())
       for (const Vec2 p : {line.points.front(), line.points.back()}) (void)node_at(p);

@@ -152,11 +152,13 @@ std::vector<Vec2> corners(const Box2& box) {
 }
 
 [[noreturn]] void fail_as_point(const LineSet& lines, Vec2 p) {
-  LineId first(0U);
-  while (lines.lines[first].points.empty()) first = LineId(first.value() + 1);
+  std::size_t first = 0;
+  while (first < lines.lines.size() && lines.lines[LineId(first)].points.empty()) ++first;
   throw Error(ErrorKind::kInput,
-              fmt::format("{}: all points of the lines are one, {}; there is nothing to mesh",
-                          origin_of(lines, first), format_point(p.x, p.y)));
+              fmt::format("{}: all points of the lines are one, {}; there is nothing to mesh without a "
+                          "--boundary",
+                          first < lines.lines.size() ? origin_of(lines, LineId(first)) : "input",
+                          format_point(p.x, p.y)));
 }
 
 // Andrew's monotone chain, with exact turns; closed, counter-clockwise.
@@ -176,15 +178,19 @@ std::vector<Vec2> convex_hull(std::vector<Vec2> points) {
 
 }  // namespace
 
-Outline box_outline(const LineSet& lines, double near) {
+Outline box_outline(const LineSet& lines, double near, double margin) {
   Box2 box = lines.box();
   if (box.empty()) fail_without_points(lines);
   const double longer = box.longer_side();
-  if (!(longer > 0)) fail_as_point(lines, box.low);
+  if (!(longer > 0) && margin <= 0) fail_as_point(lines, box.low);
   Outline outline;
   outline.rule = OutlineRule::kBox;
   outline.rigid = true;
   outline.text = "box of the lines";
+  if (margin > 0) {
+    outline.text = fmt::format("box of the lines, wider by {:g} on each side", margin);
+    box = box.grown(margin);
+  }
   const double least = 10 * near;
   const bool narrow = box.width() < least || box.width() < 1e-9 * longer;
   const bool low = box.height() < least || box.height() < 1e-9 * longer;
@@ -202,6 +208,7 @@ Outline hull_outline(const LineSet& lines, double near) {
   std::vector<Vec2> points;
   for (const InputLine& line : lines.lines)
     points.insert(points.end(), line.points.begin(), line.points.end());
+  for (const InputPoint& point : lines.points) points.push_back(point.place);
   if (points.empty()) fail_without_points(lines);
   std::vector<Vec2> hull = convex_hull(points);
   const double longer = lines.box().longer_side();

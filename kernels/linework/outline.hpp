@@ -44,8 +44,9 @@ struct Outline {
 [[nodiscard]] Outline default_outline(const LineSet& lines, double near);
 
 // The box of the lines. A side shorter than ten times `near` is grown by a tenth of the longer side on each
-// side, so that lines on one straight line are given a domain; the text tells so.
-[[nodiscard]] Outline box_outline(const LineSet& lines, double near);
+// side, so that lines on one straight line are given a domain; the text tells so. margin: by which the box is
+// wider on each side, in input units.
+[[nodiscard]] Outline box_outline(const LineSet& lines, double near, double margin = 0);
 
 // The convex hull of all points of the lines; grown to a box as above where it has no area worth the name.
 [[nodiscard]] Outline hull_outline(const LineSet& lines, double near);

@@ -24,6 +24,10 @@ void PathNetwork::build_edges() {
   edges.clear();
   edge_of_step.assign(keys.size(), 0);
   degree.assign(nodes.size(), 0);
+  marked.assign(nodes.size(), 0);
+  for (const Path& path : paths)
+    if (raw[path.raw].point.valid())
+      for (const PathStep& step : path.steps) marked[step.node.value()] = 1;
   for (std::size_t i = 0; i < order.size(); ++i) {
     const std::uint64_t key = keys[order[i]];
     if (i == 0 || key != keys[order[i - 1]]) {

@@ -1,4 +1,5 @@
-// The state of cleaning: nodes, and for each line the path that it takes through them. Edges are what
+// The state of cleaning: nodes, and for each line the path that it takes through them; that of an input point
+// has one step. Edges are what
 // consecutive nodes of the paths make; an edge that several lines take is one edge.
 #pragma once
 
@@ -11,13 +12,14 @@
 
 namespace quarry::linework {
 
-// A line as it was read, or a ring of the outline.
+// A line as it was read, a ring of the outline, or a point of the input.
 struct RawLine {
   std::span<const Vec2> points;
-  LineId line;                // none for an outline that is no input line
+  LineId line;                // none for a point, and for an outline that is no input line
   bool outline = false;       // a ring of the outline
   bool rigid = false;         // nothing may bend it
   std::uint32_t polygon = 0;  // of the outline ring
+  PointId point = {};         // of the input; such a line has one point, and is rigid
 };
 
 struct PathStep {
@@ -57,8 +59,11 @@ struct PathNetwork {
   std::vector<std::uint32_t> edge_of_step;
   std::vector<std::size_t> edge_begin;
   std::vector<std::uint32_t> degree;  // of each node
+  std::vector<std::uint8_t> marked;   // whether an input point is at the node
 
   void build_edges();
+  // Ends an edge, or is an input point: what lines have to keep apart from.
+  [[nodiscard]] bool used(NodeId node) const { return degree[node.value()] > 0 || marked[node.value()] != 0; }
   [[nodiscard]] std::vector<Segment> segments() const;
 
   // Puts nodes into edges of the last build_edges(), in every path that takes them. Sorts what it is given.

@@ -24,6 +24,7 @@ void for_each_part(std::span<const Vec2> line, double from, double to, Visit&& v
 }  // namespace
 
 Vec2 raw_point(std::span<const Vec2> line, double at) {
+  if (line.size() == 1) return line.front();
   const std::size_t i = std::min(line.size() - 2, static_cast<std::size_t>(at));
   return point_at(at - static_cast<double>(i), line[i], line[i + 1]);
 }

@@ -1,5 +1,5 @@
 // Stretches of a raw line: from one parameter to another, where parameter i + f lies the share f along
-// segment i.
+// segment i. A raw line of one point is that point at any parameter.
 #pragma once
 
 #include <span>

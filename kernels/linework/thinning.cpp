@@ -204,9 +204,10 @@ class Thinner {
     return remove_short_bend(u, v) || merge_better(u, v);
   }
 
-  // A whole line that is shorter than the shortest piece.
+  // A whole line that is shorter than the shortest piece; but not one that joins two points of the input.
   bool drop_alone(NodeId u, NodeId v) {
-    links_.merge(u, v);
+    if (links_.marked(u) && links_.marked(v)) return false;
+    links_.merge(links_.marked(u) ? v : u, links_.marked(u) ? u : v);
     return true;
   }
 

@@ -60,7 +60,9 @@ void run(CleanArguments& arguments) {
   const std::string hash = hash_inputs(arguments.section);
   const SectionResult result = clean_section(arguments.section, progress);
   progress.throw_if_cancelled();
-  write_lines_geojson(arguments.output, result.cleaned.lines, {&result.lines, system_urn(result.system)});
+  GeojsonWriteOptions options{&result.lines, system_urn(result.system), {}};
+  for (const PointEntry& point : result.cleaned.points) options.points.push_back(point.node);
+  write_lines_geojson(arguments.output, result.cleaned.lines, options);
   write_job_report(arguments, result, hash);
   bar.clear();
   tell_lines(result);

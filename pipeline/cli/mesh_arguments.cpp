@@ -219,10 +219,10 @@ void add_line_options(CLI::App& command, SectionOptions& section) {
   option("--tolerance", section.tolerance, "D",
          "largest distance of a cleaned line to its edges; default 0.05 H")
       ->group(group);
-  option("--boundary", section.boundary, "FILE|hull|box",
+  option("--boundary", section.boundary, "FILE|hull|box[:MARGIN]",
          "the outline; default: polygons of the input, else its outermost closed lines if they hold all "
          "others, else "
-         "the box of the lines");
+         "the box of the lines. box:50 is wider by 50 on each side, box:5% by a share of its longer side");
 }
 
 void add_mesh_options(CLI::App& command, MeshArguments& arguments) {
@@ -230,6 +230,11 @@ void add_mesh_options(CLI::App& command, MeshArguments& arguments) {
   command.add_option("--count", arguments.section.count, "about how many elements, in place of --size")
       ->type_name("N")
       ->group("Lengths, in input units");
+  command
+      .add_option("--seed-point", arguments.section.seed_points,
+                  "the region around this place is called NAME; may be given several times")
+      ->type_name("X,Y,NAME")
+      ->group("Groups");
   add_size_options(command, arguments.section.sizes);
   add_shape_options(command, arguments);
   add_surface_options(command, arguments);

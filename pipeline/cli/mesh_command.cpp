@@ -21,6 +21,7 @@
 #include "pipeline/cli/page_output.hpp"
 #include "pipeline/cli/progress_bar.hpp"
 #include "pipeline/cli/summary_text.hpp"
+#include "pipeline/section/point_tags.hpp"
 #include "pipeline/section/price_source.hpp"
 #include "pipeline/section/section_report.hpp"
 
@@ -57,7 +58,8 @@ void write_mesh_file(const MeshArguments& arguments, const SectionResult& result
       {"quarry_version", QUARRY_VERSION},
       {"input_hash", hash},
       {"options", option_text(resolved_options(arguments.section, result)) + arguments.written.text()}};
-  options.line_groups = result.line_groups;
+  options.groups = result.groups;
+  options.names.points = point_names(result.lines);
   options.scaled_jacobian = jacobians;
   write_mesh(arguments.output, result.mesh, options);
 }

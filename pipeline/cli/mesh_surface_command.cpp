@@ -49,6 +49,7 @@ void refuse_options_of_lines(const MeshArguments& arguments) {
   refuse(section.project, "--project");
   refuse(section.as_is, "--as-is");
   refuse(!section.section.empty(), "--section");
+  refuse(!section.seed_points.empty(), "--seed-point");
   const auto not_built = [](bool given, const char* name) {
     if (given) fail_not_built(fmt::format("{} on a surface", name), "leave it out");
   };

@@ -1,5 +1,6 @@
 #include "pipeline/cli/summary_text.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "engine/base/log.hpp"
@@ -21,6 +22,18 @@ void tell_insertion(const SectionResult& result) {
               result.quads.subdivide.from_triangles);
 }
 
+void tell_points(const IdVector<PointId, PointEntry>& points) {
+  if (points.empty()) return;
+  std::size_t dropped = 0;
+  double moved = 0;
+  for (const PointEntry& entry : points) {
+    dropped += entry.node.valid() ? 0U : 1U;
+    moved = std::max(moved, entry.moved);
+  }
+  log::info("points: {} read, of which {} dropped; none moved more than {:.4g}", points.size(), dropped,
+            moved);
+}
+
 }  // namespace
 
 void tell_lines(const SectionResult& result) {
@@ -31,6 +44,7 @@ void tell_lines(const SectionResult& result) {
       "lines: {} read, of which {} kept as they are, {} split, {} joined, {} clipped, {} dropped; {} pieces",
       result.cleaned.ledger.size(), count(LineFate::kKept), count(LineFate::kSplit), count(LineFate::kJoined),
       count(LineFate::kClipped), count(LineFate::kDropped), result.cleaned.lines.pieces.size());
+  tell_points(result.cleaned.points);
   log::info("outline: {}; no point of a line moved more than {:.4g}", result.outline.text,
             result.cleaned.counts.largest_move);
   for (const std::string& note : result.cleaned.notes) log::warn("{}", note);

@@ -20,7 +20,7 @@ struct LineLabel {
 };
 
 struct GeneratedModel {
-  LineSet lines{.files = {"lines drawn by lot"}, .systems = {}, .attributes = {}, .lines = {}};
+  LineSet lines{.files = {"lines drawn by lot"}, .systems = {}, .attributes = {}, .lines = {}, .points = {}};
   std::vector<LineLabel> labels;  // one a line
   double total_length = 0;        // of all lines but the outline
   std::size_t segments = 0;       // of all lines but the outline

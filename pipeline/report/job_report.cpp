@@ -96,6 +96,20 @@ Json lines_json(const JobReport& report) {
   return lines;
 }
 
+Json points_json(const JobReport& report) {
+  Json points = Json::array();
+  for (std::size_t i = 0; i < report.points.size(); ++i) {
+    const PointEntry& entry = report.points[PointId(i)];
+    Json point = {{"point", i},
+                  {"fate", entry.node.valid() ? "kept" : "dropped"},
+                  {"why", entry.why},
+                  {"moved", entry.moved}};
+    if (i < report.point_attributes.size()) add_attributes(point, report.point_attributes[PointId(i)]);
+    points.push_back(std::move(point));
+  }
+  return points;
+}
+
 Json constraints_json(const JobReport& report) {
   Json lines = Json::array();
   double largest = 0;
@@ -110,8 +124,11 @@ Json constraints_json(const JobReport& report) {
 
 Json regions_json(const JobReport& report) {
   Json regions = Json::array();
-  for (const RegionSummary& region : report.regions)
-    regions.push_back({{"region", region.region}, {"faces", region.faces}, {"area", region.area}});
+  for (const RegionSummary& region : report.regions) {
+    Json json = {{"region", region.region}, {"faces", region.faces}, {"area", region.area}};
+    for (const auto& [tag, name] : region.groups) json[tag] = name;
+    regions.push_back(std::move(json));
+  }
   return regions;
 }
 
@@ -152,6 +169,7 @@ std::string report_text(const JobReport& report) {
                    {"hash", report.input_hash},
                    {"outline", report.outline},
                    {"lines", lines_json(report)}};
+  if (!report.points.empty()) json["input"]["points"] = points_json(report);
   if (!report.coordinate_systems.empty()) json["input"]["coordinate_systems"] = report.coordinate_systems;
   json["constraints"] = constraints_json(report);
   json["regions"] = regions_json(report);

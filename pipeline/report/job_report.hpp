@@ -38,6 +38,9 @@ struct JobReport {
   std::string outline;  // which rule gave the outline, in words
   // What became of each input line; its index is the line's number.
   IdVector<LineId, LedgerEntry> lines;
+  // What became of each input point, and what the input says of it.
+  IdVector<PointId, PointEntry> points;
+  IdVector<PointId, LineAttributes> point_attributes;
   // What the input says of each line, and its file (an index into input_files); empty where that is nothing,
   // and where there is one file.
   IdVector<LineId, LineAttributes> line_attributes;

@@ -16,7 +16,7 @@ namespace {
 
 // index(line): of its name, or -1.
 template <class Index>
-void add_grouping(Mesh& mesh, LineGrouping grouping, std::vector<LineGrouping>& all, Index&& index) {
+void add_grouping(Mesh& mesh, Grouping grouping, std::vector<Grouping>& all, Index&& index) {
   const auto constraint = mesh.find_tag<EdgeId, std::int32_t>("constraint");
   auto tag = mesh.add_tag<EdgeId, std::int32_t>(grouping.tag, -1);
   for (const EdgeId e : IdRange<EdgeId>(mesh.edge_slots()))
@@ -25,20 +25,18 @@ void add_grouping(Mesh& mesh, LineGrouping grouping, std::vector<LineGrouping>& 
 }
 
 void group_by(Mesh& mesh, const LineSet& lines, const std::string& name, std::string LineAttributes::*member,
-              std::vector<LineGrouping>& all) {
-  LineGrouping grouping{name, {}};
+              std::vector<Grouping>& all) {
+  Grouping grouping{name, {}};
   std::map<std::string, std::int32_t> known;
-  // Of each set of attributes.
-  std::vector<std::int32_t> index;
-  for (const LineAttributes& attributes : lines.attributes) {
-    const std::string& text = attributes.*member;
-    if (text.empty()) {
-      index.push_back(-1);
-      continue;
-    }
+  // Of each set of attributes that a line has; those of points are no groups of lines.
+  std::vector<std::int32_t> index(lines.attributes.size(), -1);
+  for (const InputLine& line : lines.lines) {
+    if (line.attributes >= index.size() || index[line.attributes] >= 0) continue;
+    const std::string& text = lines.attributes[line.attributes].*member;
+    if (text.empty()) continue;
     const auto [at, fresh] = known.emplace(text, static_cast<std::int32_t>(grouping.names.size()));
     if (fresh) grouping.names.push_back(text);
-    index.push_back(at->second);
+    index[line.attributes] = at->second;
   }
   if (grouping.names.empty()) return;
   add_grouping(mesh, std::move(grouping), all, [&](LineId line) {
@@ -63,6 +61,23 @@ void tag_apertures(Mesh& mesh, const LineSet& lines) {
 
 }  // namespace
 
+void tag_box_sides(Mesh& mesh, std::vector<Grouping>& groups) {
+  const Box2 box = mesh.box();
+  const auto kind = mesh.find_tag<EdgeId, std::int32_t>("kind");
+  auto tag = mesh.add_tag<EdgeId, std::int32_t>("box_side", -1);
+  for (const EdgeId e : IdRange<EdgeId>(mesh.edge_slots())) {
+    if (kind[e] != kOuterBoundary) continue;
+    const auto [a, b] = mesh.edge_ends(e);
+    const Vec2 p = mesh.point(a), q = mesh.point(b);
+    if (p.x == q.x) {
+      tag[e] = p.x == box.low.x ? 0 : p.x == box.high.x ? 1 : -1;
+    } else if (p.y == q.y) {
+      tag[e] = p.y == box.low.y ? 2 : p.y == box.high.y ? 3 : -1;
+    }
+  }
+  groups.push_back({"box_side", {"left", "right", "bottom", "top"}, true});
+}
+
 std::vector<std::string> file_group_names(const std::vector<std::string>& paths) {
   std::vector<std::string> names;
   for (const std::string& path : paths) {
@@ -74,8 +89,8 @@ std::vector<std::string> file_group_names(const std::vector<std::string>& paths)
   return names;
 }
 
-std::vector<LineGrouping> tag_lines(Mesh& mesh, const LineSet& lines, const std::vector<std::string>& paths) {
-  std::vector<LineGrouping> groups;
+std::vector<Grouping> tag_lines(Mesh& mesh, const LineSet& lines, const std::vector<std::string>& paths) {
+  std::vector<Grouping> groups;
   group_by(mesh, lines, "name", &LineAttributes::name, groups);
   group_by(mesh, lines, "set", &LineAttributes::set, groups);
   group_by(mesh, lines, "material", &LineAttributes::material, groups);

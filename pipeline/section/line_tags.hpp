@@ -14,8 +14,12 @@ namespace quarry {
 // an index into names, in the order in which the lines bring them; -1 without), "file" where there are
 // several files (an index into their group names), and "aperture" (NaN without). Only tags that some line has
 // are made. paths: of the files. Returns the names.
-[[nodiscard]] std::vector<LineGrouping> tag_lines(Mesh& mesh, const LineSet& lines,
-                                                  const std::vector<std::string>& paths);
+[[nodiscard]] std::vector<Grouping> tag_lines(Mesh& mesh, const LineSet& lines,
+                                              const std::vector<std::string>& paths);
+
+// Gives the edges on the boundary of a mesh of a box the tag "box_side", and adds the grouping: an edge is on
+// the left, the right, at the bottom or at the top; -1 for all others.
+void tag_box_sides(Mesh& mesh, std::vector<Grouping>& groups);
 
 // What the groups of files are called: the names of files without folder and extension, "stdin" for standard
 // input; "_2" and so on tell those apart that would be the same.

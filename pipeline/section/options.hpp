@@ -30,13 +30,15 @@ struct SectionOptions {
   bool as_is = false;
   // "x=VALUE" or "y=VALUE": the lines that stand in this vertical plane; "": seen from above.
   std::string section;
-  // "" for the default rule, "hull", "box", or a file of rings.
+  // As pipeline/section/boundary_rule.hpp reads it.
   std::string boundary;
   // Wanted edge of the final elements in input units; or about how many elements. Exactly one is given.
   std::optional<double> size;
   std::optional<double> count;
   // Where elements are to be smaller than that.
   SizeOptions sizes;
+  // Names of regions: "X,Y,NAME", in the coordinates of the mesh.
+  std::vector<std::string> seed_points;
   double max_elements = 2e8;
   // Lengths in input units; unset: 0.05, 0.1 and 0.05 of the smallest size wanted on a line.
   std::optional<double> snap, min_edge, tolerance;

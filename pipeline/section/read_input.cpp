@@ -9,14 +9,11 @@
 #include "io/lines/coordinate_system.hpp"
 #include "io/lines/line_format.hpp"
 #include "io/lines/line_reader.hpp"
+#include "pipeline/section/boundary_rule.hpp"
 #include "pipeline/section/vertical_plane.hpp"
 
 namespace quarry {
 namespace {
-
-bool is_boundary_file(const SectionOptions& options) {
-  return !options.boundary.empty() && options.boundary != "hull" && options.boundary != "box";
-}
 
 // Arcs follow --tolerance. With --count the size, and so its default, is known once the lines are: they are
 // read again.
@@ -79,7 +76,8 @@ SectionInput read_section_input(const SectionOptions& options, const Progress& p
   SectionInput input;
   std::optional<double> arc_tolerance;
   input.lines = read_files(options, options.inputs, progress, arc_tolerance);
-  if (is_boundary_file(options)) input.boundary = read_lines({options.boundary}, {arc_tolerance, progress});
+  if (parse_boundary(options.boundary).kind == BoundaryRule::Kind::kFile)
+    input.boundary = read_lines({options.boundary}, {arc_tolerance, progress});
   if (options.project) {
     if (!has_degrees(input.lines))
       throw Error(ErrorKind::kUsage,

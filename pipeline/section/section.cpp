@@ -16,10 +16,14 @@
 #include "kernels/local/better_flips.hpp"
 #include "kernels/matching/whole_outline.hpp"
 #include "kernels/smooth/laplacian.hpp"
+#include "pipeline/section/boundary_rule.hpp"
+#include "pipeline/section/conservation.hpp"
 #include "pipeline/section/line_tags.hpp"
 #include "pipeline/section/outline_measures.hpp"
+#include "pipeline/section/point_tags.hpp"
 #include "pipeline/section/price_source.hpp"
 #include "pipeline/section/read_input.hpp"
+#include "pipeline/section/region_names.hpp"
 #include "pipeline/section/start.hpp"
 
 namespace quarry {
@@ -30,10 +34,18 @@ constexpr double kCountTolerance = 0.02;
 
 Outline find_outline(const SectionOptions& options, const SectionInput& input, double near) {
   const LineSet& lines = input.lines;
-  if (input.boundary) return boundary_outline(*input.boundary, near);
-  if (options.boundary.empty()) return default_outline(lines, near);
-  if (options.boundary == "box") return box_outline(lines, near);
-  return hull_outline(lines, near);
+  const BoundaryRule rule = parse_boundary(options.boundary);
+  switch (rule.kind) {
+    case BoundaryRule::Kind::kFile:
+      return boundary_outline(*input.boundary, near);
+    case BoundaryRule::Kind::kBox:
+      return box_outline(lines, near, rule.margin * (rule.margin_is_share ? lines.box().longer_side() : 1.0));
+    case BoundaryRule::Kind::kHull:
+      return hull_outline(lines, near);
+    case BoundaryRule::Kind::kDefault:
+      break;
+  }
+  return default_outline(lines, near);
 }
 
 bool by_matching(const SectionOptions& options) {
@@ -157,6 +169,7 @@ void read(const SectionOptions& options, SectionResult& result, StageClock& cloc
   const double near = options.snap.value_or(0.05 * options.size.value_or(0.01 * box.longer_side()));
   result.outline = find_outline(options, input, near);
   result.lines = std::move(input.lines);
+  result.boundary = std::move(input.boundary);
   result.projected = std::move(input.projected);
   result.system = std::move(input.system);
   result.notes = std::move(input.notes);
@@ -188,12 +201,20 @@ void clean(const SectionOptions& options, SectionResult& result, StageClock& clo
                                 .min_edge = result.lengths.min_edge,
                                 .tolerance = result.lengths.tolerance},
                                progress);
+  require_all_told(result.lines, result.cleaned);
   result.lengths.snap = result.cleaned.options.snap;
   if (result.sizes) {
     result.sizes->set_gaps(result.cleaned.lines);
     foresee(options, result);
   }
   result.cleaned.notes.insert(result.cleaned.notes.begin(), result.notes.begin(), result.notes.end());
+}
+
+// The files that may name regions: those of the lines and that of the outline.
+std::vector<const LineSet*> sets_of(const SectionResult& result) {
+  std::vector<const LineSet*> sets = {&result.lines};
+  if (result.boundary) sets.push_back(&*result.boundary);
+  return sets;
 }
 
 void tell_prediction(const SectionOptions& options, const SectionResult& result) {
@@ -247,6 +268,7 @@ SectionResult mesh_section(const SectionOptions& options, const Progress& progre
   SectionResult result;
   StageClock clock(progress);
   const PriceSource prices(options.irregular_price);
+  const std::vector<SeedPoint> seeds = parse_seed_points(options.seed_points);
   read(options, result, clock, progress);
   make_elements(options, result, clock, progress);
   if (makes_quads(options)) {
@@ -263,7 +285,11 @@ SectionResult mesh_section(const SectionOptions& options, const Progress& progre
   const ConstraintTags final_tags = ConstraintTags::of(result.mesh);
   result.regions = label_regions(result.mesh, final_tags);
   extract_edges(result.mesh, final_tags, result.cleaned.lines);
-  result.line_groups = tag_lines(result.mesh, result.lines, options.inputs);
+  require_lines_kept(result.mesh, result.cleaned);
+  tag_points(result.mesh, result.cleaned);
+  result.groups = tag_lines(result.mesh, result.lines, options.inputs);
+  if (result.outline.rule == OutlineRule::kBox) tag_box_sides(result.mesh, result.groups);
+  name_regions(result.mesh, sets_of(result), seeds, result.groups);
   mark_pinches(result.mesh, final_tags);
   require_valid(result.mesh);
   clock.stop();

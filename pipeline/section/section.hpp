@@ -3,6 +3,9 @@
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "engine/base/progress.hpp"
 #include "engine/geometry/line_set.hpp"
@@ -22,14 +25,16 @@
 namespace quarry {
 
 struct SectionResult {
-  // Faces with the tag "region"; edge entities with the tags "constraint" and "kind", and with those of
-  // line_groups and "aperture" where the input says something of its lines. Compact, in Hilbert order.
+  // Faces with the tag "region", and with those of groups where regions have names; edge entities with the
+  // tags "constraint" and "kind", and with those of groups and "aperture" where the input says something of
+  // its lines; vertices with kPointTag where the input has points. Compact, in Hilbert order.
   Mesh mesh;
-  std::vector<LineGrouping> line_groups;
+  std::vector<Grouping> groups;
   LineSet lines;
-  std::string projected;           // the plane that degrees were brought to; "" if they were not
-  std::string system;              // of the coordinates; "" if unknown
-  std::vector<std::string> notes;  // of reading: one line each
+  std::optional<LineSet> boundary;  // what the file of the outline holds, if it is one
+  std::string projected;            // the plane that degrees were brought to; "" if they were not
+  std::string system;               // of the coordinates; "" if unknown
+  std::vector<std::string> notes;   // of reading: one line each
   CleanedLines cleaned;
   Outline outline;
   ResolvedLengths lengths;

@@ -13,7 +13,9 @@
 #include "pipeline/report/line_distance.hpp"
 #include "pipeline/report/low_quad_counts.hpp"
 #include "pipeline/report/region_summary.hpp"
+#include "pipeline/section/boundary_rule.hpp"
 #include "pipeline/section/price_source.hpp"
+#include "pipeline/section/region_names.hpp"
 
 namespace quarry {
 namespace {
@@ -21,8 +23,14 @@ namespace {
 std::int64_t whole(std::uint64_t count) { return static_cast<std::int64_t>(count); }
 
 std::string boundary_text(const SectionOptions& options) {
-  if (options.boundary.empty()) return "default";
-  return options.boundary == "hull" || options.boundary == "box" ? options.boundary : "file";
+  switch (parse_boundary(options.boundary).kind) {
+    case BoundaryRule::Kind::kDefault:
+      return "default";
+    case BoundaryRule::Kind::kFile:
+      return "file";
+    default:
+      return options.boundary;
+  }
 }
 
 std::string start_text(const SectionOptions& options) {
@@ -52,6 +60,7 @@ std::vector<ReportItem> counts_of(const SectionOptions& options, const SectionRe
                                     {"line_edges", whole(quality.edges)},
                                     {"regions", std::int64_t{result.regions}},
                                     {"input_lines", whole(result.cleaned.ledger.size())},
+                                    {"input_points", whole(result.cleaned.points.size())},
                                     {"cleaned_nodes", whole(result.cleaned.lines.nodes.size())},
                                     {"cleaned_pieces", whole(result.cleaned.lines.pieces.size())},
                                     {"crossings", std::int64_t{c.crossings}},
@@ -112,6 +121,7 @@ std::vector<ReportItem> resolved_options(const SectionOptions& options, const Se
   if (!result.projected.empty()) items.push_back({"project", result.projected});
   if (options.as_is) items.push_back({"as-is", true});
   if (!options.section.empty()) items.push_back({"section", options.section});
+  if (!options.seed_points.empty()) items.push_back({"seed-point", options.seed_points});
   return items;
 }
 
@@ -151,6 +161,9 @@ void describe_lines(const LineSet& lines, JobReport& report) {
   const IdRange<LineId> all(lines.lines.size());
   if (!lines.attributes.empty())
     for (const LineId id : all) report.line_attributes.push_back(lines.attributes_of(id));
+  if (!lines.attributes.empty())
+    for (const PointId id : IdRange<PointId>(lines.points.size()))
+      report.point_attributes.push_back(lines.attributes_of(id));
   if (lines.files.size() > 1)
     for (const LineId id : all) report.line_files.push_back(lines.lines[id].file);
   if (std::ranges::all_of(lines.systems, [](const CoordinateSystem& s) { return s.definition.empty(); }))
@@ -166,10 +179,11 @@ JobReport report_section(const SectionOptions& options, const SectionResult& res
   report.input_files = options.inputs;
   report.outline = result.outline.text;
   report.lines = result.cleaned.ledger;
+  report.points = result.cleaned.points;
   describe_lines(result.lines, report);
   if (result.mesh.face_slots() > 0) {
     report.line_distances = measure_line_distances(result.mesh, result.lines, result.cleaned.ledger);
-    report.regions = summarize_regions(result.mesh);
+    report.regions = summarize_regions(result.mesh, result.groups);
   }
   report.counts = counts_of(options, result, quality);
   report.quality = std::move(quality);

@@ -86,10 +86,19 @@ void take_vertical_plane(LineSet& lines, const std::string& text) {
                 fmt::format("{}: no line stands in the plane {}={}; planes with lines: {}", all_files(lines),
                             plane.axis, plane.value, list_planes(lines)));
   lines.lines = std::move(kept);
+  IdVector<PointId, InputPoint> points;
+  for (InputPoint point : lines.points) {
+    if (!point.height || along(point.place, plane.axis) != plane.value) continue;
+    point.place = {along(point.place, plane.axis == 'x' ? 'y' : 'x'), *point.height};
+    point.height.reset();
+    points.push_back(point);
+  }
+  lines.points = std::move(points);
 }
 
 void refuse_vertical_planes(const LineSet& lines) {
-  if (std::ranges::all_of(lines.lines, [](const InputLine& line) { return plane_of(line).has_value(); }))
+  if (!lines.lines.empty() &&
+      std::ranges::all_of(lines.lines, [](const InputLine& line) { return plane_of(line).has_value(); }))
     throw Error(ErrorKind::kInput,
                 fmt::format("{}: all lines stand in vertical planes; choose one with --section: {}",
                             all_files(lines), list_planes(lines)));

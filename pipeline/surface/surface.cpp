@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "engine/base/error.hpp"
+#include "engine/base/log.hpp"
 #include "io/lines/line_reader.hpp"
 #include "pipeline/surface/find_surface_sizes.hpp"
 #include "pipeline/surface/finish_surface.hpp"
@@ -111,6 +112,8 @@ class SurfaceJob {
     if (options_.lines.empty()) return {};
     clock_.start("imprinting lines");
     const LineSet input = read_lines(options_.lines);
+    if (!input.points.empty())
+      log::warn("{} points of --lines are left out: on surfaces they are planned", input.points.size());
     result_.lines = input.lines.size();
     std::vector<SurfaceLine> lines;
     for (const InputLine& line : input.lines) {

@@ -76,14 +76,13 @@ TEST_F(Shapefile, HolesFollowTheRingAroundThem) {
   EXPECT_FALSE(lines.lines[LineId(2U)].hole);
 }
 
-TEST_F(Shapefile, HeightsAreReadAndPointsPassedOver) {
+TEST_F(Shapefile, HeightsAreRead) {
   Shape high = kTwoParts;
   high.type = SHPT_ARCZ;
   high.z = {5, 6, 7, -1e39, 9};
   const LineSet lines = read_lines({write(SHPT_ARCZ, {high})});
   EXPECT_EQ(lines.lines[LineId(0U)].heights, (std::vector<double>{5, 6}));
   EXPECT_TRUE(lines.lines[LineId(1U)].heights.empty());
-  EXPECT_MESSAGE(error_of_path(write(SHPT_POINT, {{SHPT_POINT, {}, {1}, {2}, {}}})), "no lines");
 }
 
 TEST_F(Shapefile, TextsBecomeUtf8) {

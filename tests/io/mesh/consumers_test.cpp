@@ -44,7 +44,7 @@ TEST(OpenGeoSysFile, HasMaterialsAndInteriorLinesAlone) {
 TEST(OpenGeoSysFile, HasNoTextsOfGroupsOfLines) {
   const TemporaryFolder folder;
   write_mesh(folder.file("a.vtu"), make_sample_mesh({.size = 9}),
-             {.line_groups = {{"set", {"joints"}}}, .consumer = MeshConsumer::kOpenGeoSys});
+             {.groups = {{"set", {"joints"}}}, .consumer = MeshConsumer::kOpenGeoSys});
   EXPECT_EQ(file_content(folder.file("a.vtu")).find("String"), std::string::npos);
 }
 

@@ -119,6 +119,12 @@ inline CleanedLines cleaned(const LineSet& raw, const CleanOptions& options = kO
   return result;
 }
 
+inline CleanedLines cleaned_in(const LineSet& raw, const Outline& outline) {
+  CleanedLines result = clean_lines(raw, outline, kOptions);
+  expect_faithful(raw, result);
+  return result;
+}
+
 inline std::size_t interior_pieces(const NodedLines& lines) {
   return static_cast<std::size_t>(
       std::count_if(lines.pieces.begin(), lines.pieces.end(),

@@ -28,12 +28,6 @@ LineSet polygons_of(const std::vector<std::vector<Points>>& polygons) {
   return set;
 }
 
-CleanedLines cleaned_in(const LineSet& raw, const Outline& outline) {
-  CleanedLines result = clean_lines(raw, outline, kOptions);
-  expect_faithful(raw, result);
-  return result;
-}
-
 template <class Job>
 std::string input_error(Job&& job) {
   try {

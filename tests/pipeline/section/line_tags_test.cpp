@@ -43,11 +43,11 @@ TEST_F(LineTags, EachEdgeHasTheAttributesOfItsLine) {
                  "line,x,y,name,set,aperture\n1,10,10,Main,faults,0.5\n1,90,80,,,\n2,10,50,,joints,\n2,95,55,"
                  ",,\n3,5,5,Other,joints,2\n3,95,5,,,\n"),
             save("frame.txt", "0 0 100 0 100 100 0 100 0 0\n")});
-  ASSERT_EQ(result.line_groups.size(), 3U);
-  EXPECT_EQ(result.line_groups[0].tag, "name");
-  EXPECT_EQ(result.line_groups[0].names, (std::vector<std::string>{"Main", "Other"}));
-  EXPECT_EQ(result.line_groups[1].names, (std::vector<std::string>{"faults", "joints"}));
-  EXPECT_EQ(result.line_groups[2].names, (std::vector<std::string>{"a", "frame"}));
+  ASSERT_EQ(result.groups.size(), 3U);
+  EXPECT_EQ(result.groups[0].tag, "name");
+  EXPECT_EQ(result.groups[0].names, (std::vector<std::string>{"Main", "Other"}));
+  EXPECT_EQ(result.groups[1].names, (std::vector<std::string>{"faults", "joints"}));
+  EXPECT_EQ(result.groups[2].names, (std::vector<std::string>{"a", "frame"}));
   const auto constraint = result.mesh.find_tag<EdgeId, std::int32_t>("constraint");
   const auto name = result.mesh.find_tag<EdgeId, std::int32_t>("name");
   const auto set = result.mesh.find_tag<EdgeId, std::int32_t>("set");
@@ -70,7 +70,8 @@ TEST_F(LineTags, EachEdgeHasTheAttributesOfItsLine) {
 
 TEST_F(LineTags, ThereAreNoneWithoutAttributes) {
   const SectionResult result = mesh({save("a.txt", "0 0 50 50\n0 50 50 0\n")});
-  EXPECT_TRUE(result.line_groups.empty());
+  ASSERT_EQ(result.groups.size(), 1U);
+  EXPECT_EQ(result.groups[0].tag, "box_side");
   EXPECT_FALSE((result.mesh.find_tag<EdgeId, double>("aperture").valid()));
 }
 
@@ -86,7 +87,7 @@ TEST_F(LineTags, GroupsOfLinesDoNotComeBackAsLines) {
   };
   for (const char* const format : {"a.msh", "a.inp"}) {
     MeshWriteOptions options;
-    options.line_groups = result.line_groups;
+    options.groups = result.groups;
     const std::string path = (folder_ / format).string();
     write_mesh(path, result.mesh, options);
     EXPECT_EQ(edges_of(read_mesh(path)), edges_of(result.mesh)) << format;
