@@ -13,9 +13,9 @@
 #include "io/lines/csv_rows.hpp"
 #include "io/lines/line_attributes.hpp"
 #include "io/lines/number_row.hpp"
-#include "io/lines/text_rows.hpp"
 #include "io/lines/wkt_geometry.hpp"
 #include "io/number_text.hpp"
+#include "io/text_rows.hpp"
 
 namespace quarry {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "io/lines/text_rows.hpp"
+#include "io/text_rows.hpp"
 
 namespace quarry {
 

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "io/lines/number_row.hpp"
-#include "io/lines/text_rows.hpp"
+#include "io/text_rows.hpp"
 
 namespace quarry {
 

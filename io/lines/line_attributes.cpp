@@ -8,9 +8,9 @@
 
 #include "engine/base/log.hpp"
 #include "io/lines/text_encoding.hpp"
-#include "io/lines/text_rows.hpp"
 #include "io/lower_case.hpp"
 #include "io/number_text.hpp"
+#include "io/text_rows.hpp"
 
 namespace quarry {
 namespace {

@@ -20,10 +20,10 @@
 #include "io/lines/pline_reader.hpp"
 #include "io/lines/poly_reader.hpp"
 #include "io/lines/shapefile_reader.hpp"
-#include "io/lines/text_rows.hpp"
 #include "io/lines/wkt_geometry.hpp"
 #include "io/lines/wkt_reader.hpp"
 #include "io/lower_case.hpp"
+#include "io/text_rows.hpp"
 
 namespace quarry {
 namespace {

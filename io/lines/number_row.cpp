@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "io/lines/coordinate_limit.hpp"
-#include "io/lines/text_rows.hpp"
 #include "io/number_text.hpp"
+#include "io/text_rows.hpp"
 
 namespace quarry {
 namespace {

@@ -1,6 +1,6 @@
 #include "io/lines/ogr_layers.hpp"
 
-#include "io/lines/text_rows.hpp"
+#include "io/text_rows.hpp"
 
 namespace quarry {
 

@@ -10,12 +10,11 @@
 #include <fmt/format.h>
 
 #include "engine/base/error.hpp"
-#include "io/child_process.hpp"
+#include "io/gdal_program.hpp"
 #include "io/lines/coordinate_system.hpp"
 #include "io/lines/csv_reader.hpp"
 #include "io/lines/line_format.hpp"
 #include "io/lines/ogr_layers.hpp"
-#include "io/lines/text_rows.hpp"
 #include "io/mapped_file.hpp"
 #include "io/scratch_folder.hpp"
 
@@ -26,28 +25,10 @@ namespace {
 // chord to stay within the tolerance, as it does up to a radius of 26,000 times that.
 constexpr double kArcStepDegrees = 1;
 
-// The first error that GDAL told, or its last row.
-std::string reason_in(const std::string& path) {
-  const MappedFile file(path);
-  TextRows rows(file.text());
-  std::string reason;
-  while (rows.next()) {
-    const std::string_view row = trimmed(rows.row());
-    if (row.empty()) continue;
-    reason = row.substr(0, 300);
-    if (row.starts_with("ERROR")) break;
-  }
-  return reason;
-}
-
 class OgrReader {
  public:
   OgrReader(const LineSource& source, const OgrOptions& options, LineSet& lines)
-      : source_(source), options_(options), lines_(lines) {
-    // No name is taken for an option, or for a database.
-    const std::filesystem::path path(source.name);
-    path_ = path.is_absolute() ? source.name : (std::filesystem::path(".") / path).string();
-  }
+      : source_(source), options_(options), lines_(lines), path_(gdal_path(source.name)) {}
 
   void read() {
     if (!std::filesystem::exists(source_.name)) fail("cannot be read: No such file or directory");
@@ -71,24 +52,8 @@ class OgrReader {
   }
 
   void run(std::vector<std::string> words, const std::string& out) {
-    ChildProcess process;
-    process.words = std::move(words);
-    process.out = folder_.file(out);
-    process.err = folder_.file("messages");
-    const std::optional<int> status = run_program(process, options_.progress);
-    const std::string extension = std::filesystem::path(source_.name).extension().string();
-    if (!status)
-      fail(
-          fmt::format("no reader for lines in '{}' files without GDAL's ogr2ogr: install it (Debian: apt-get "
-                      "install gdal-bin), or save them as one of {}",
-                      extension, readable_line_extensions()));
-    if (*status != 0) {
-      std::string reason = reason_in(process.err);
-      if (reason.empty()) reason = reason_in(process.out);
-      fail(fmt::format("GDAL ({}) cannot read it: {}; read without GDAL: {}", process.words[0],
-                       reason.empty() ? fmt::format("exit status {}", *status) : reason,
-                       readable_line_extensions()));
-    }
+    run_gdal(std::move(words), folder_, out, source_.name, "one of " + readable_line_extensions(),
+             options_.progress);
   }
 
   void read_layer(const std::string& layer) {

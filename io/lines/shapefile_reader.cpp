@@ -14,8 +14,8 @@
 #include "io/lines/dbf_table.hpp"
 #include "io/lines/ring.hpp"
 #include "io/lines/shapelib_errors.hpp"
-#include "io/lines/text_rows.hpp"
 #include "io/mapped_file.hpp"
+#include "io/text_rows.hpp"
 
 namespace quarry {
 namespace {

@@ -43,6 +43,8 @@ class AscReader {
   std::string_view read_header() {
     for (;;) {
       const std::string_view word = cursor_.word();
+      if (const std::string lower = lower_case(word); lower == "dx" || lower == "dy")
+        cursor_.fail("its cells are not square: `gdalwarp -tr SIDE SIDE` makes them so");
       const std::optional<Key> key = key_of(word);
       if (!key) return word;
       if (header_[*key]) cursor_.fail(fmt::format("{} stands twice in the header", kNames[*key]));
@@ -126,9 +128,9 @@ class AscReader {
 
 }  // namespace
 
-Raster read_asc(const std::string& path) {
+Raster read_asc(const std::string& path, const std::string& name) {
   const MappedFile file(path);
-  return AscReader(path, file.text()).read();
+  return AscReader(name.empty() ? path : name, file.text()).read();
 }
 
 }  // namespace quarry

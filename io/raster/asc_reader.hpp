@@ -10,7 +10,7 @@ namespace quarry {
 
 // Throws Error(kInput), "path:line: ...", for a header that lacks something or makes no sense, for a value
 // that is no finite number, with its row and column (from 1, from the top left), and for too few or too many
-// values.
-[[nodiscard]] Raster read_asc(const std::string& path);
+// values. name: of the file in messages, if not its path.
+[[nodiscard]] Raster read_asc(const std::string& path, const std::string& name = {});
 
 }  // namespace quarry

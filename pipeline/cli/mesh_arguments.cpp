@@ -170,10 +170,6 @@ double parse_degrees(const std::string& text) {
 void refuse_what_is_not_built(const MeshArguments& arguments) {
   if (arguments.method != "deferred") fail_not_built("--method " + arguments.method, "use deferred");
   const SectionOptions& section = arguments.section;
-  if (section.sizes.file.ends_with(".tif") || section.sizes.file.ends_with(".tiff"))
-    fail_not_built(
-        "--size-field with a GeoTIFF",
-        fmt::format("use what `gdal_translate -of AAIGrid {} sizes.asc` makes", section.sizes.file));
   if (!section.sizes.uniform() && section.start != StartMesh::kCrisscross)
     fail_not_built("sizes that differ by place, with this start mesh,", "use --start 4-8");
 }

@@ -9,7 +9,7 @@
 
 #include "engine/base/error.hpp"
 #include "io/number_text.hpp"
-#include "io/raster/asc_reader.hpp"
+#include "io/raster/raster_file.hpp"
 
 namespace quarry {
 namespace {
@@ -17,7 +17,7 @@ namespace {
 constexpr std::string_view kNearLines = "lines:";
 
 Raster read_prices(const std::string& path) {
-  Raster raster = read_asc(path);
+  Raster raster = read_raster(path);
   for (std::size_t i = 0; i < raster.values.size(); ++i)
     if (raster.values[i] <= 0)
       throw Error(ErrorKind::kInput,

@@ -8,10 +8,9 @@
 #include <fmt/format.h>
 
 #include "engine/base/error.hpp"
-#include "io/lower_case.hpp"
 #include "io/number_text.hpp"
-#include "io/raster/asc_reader.hpp"
 #include "io/raster/point_values.hpp"
+#include "io/raster/raster_file.hpp"
 #include "kernels/field/expected_squares.hpp"
 #include "kernels/field/gap_sizes.hpp"
 #include "kernels/field/raster_size.hpp"
@@ -52,7 +51,7 @@ std::shared_ptr<const SizeField> near_field(const NearGroup& near, const LineSet
 
 std::shared_ptr<const SizeField> file_field(const std::string& path, const GradedSizeOptions& grading) {
   try {
-    if (lower_case(path).ends_with(".asc")) return std::make_shared<RasterSize>(read_asc(path), grading);
+    if (is_raster_file(path)) return std::make_shared<RasterSize>(read_raster(path), grading);
     std::vector<SizeSource> sources;
     for (const PointValue& point : read_point_values(path))
       sources.push_back({{point.at, point.at}, point.value});

@@ -126,7 +126,6 @@ TEST(CommandLine, WhatIsNotBuiltSaysSo) {
   const std::vector<std::vector<std::string>> values = {
       {"--method", "front"},
       {"--method", "blocks"},
-      {"--size-field", "s.tif"},
   };
   for (const std::vector<std::string>& value : values) {
     std::vector<std::string> arguments = {"mesh", kDemoSection, "-o", "out.vtu", "--size", "20"};
