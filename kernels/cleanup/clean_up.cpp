@@ -79,8 +79,16 @@ class CleanUp {
         close();
       });
       add_time(report_.smoothing_seconds, [&] { smooth_between(); });
+      if (!fewest && hopeless(report_.patches.back())) break;
     }
     mesh_.remove_tag<FaceId>(kSignatureTag);
+  }
+
+  // Whether larger patches are not worth their time; of few seeds nothing can be said.
+  [[nodiscard]] bool hopeless(const PatchReport& patches) const {
+    constexpr std::uint64_t kFewSeeds = 1000;
+    return patches.seeds >= kFewSeeds && static_cast<double>(patches.count_won()) <
+                                             options_.least_yield * static_cast<double>(patches.seeds);
   }
 
   void smooth_between() { add(report_.between, sweep(options_.between)); }
