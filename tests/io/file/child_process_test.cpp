@@ -16,7 +16,8 @@ namespace {
 class Child : public testing::Test {
  protected:
   std::optional<int> run(const std::vector<std::string>& words, const Progress& progress = Progress()) {
-    ChildProcess process{words, folder_.file("out"), folder_.file("err")};
+    ChildProcess process;
+    process.start = {words, folder_.file("out"), folder_.file("err"), {}};
     process.time_limit = limit_;
     return run_program(process, progress);
   }
