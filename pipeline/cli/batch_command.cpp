@@ -1,20 +1,23 @@
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
+#include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "engine/base/error.hpp"
 #include "engine/base/log.hpp"
 #include "io/atomic_file.hpp"
 #include "io/mesh/mesh_format.hpp"
 #include "pipeline/batch/batch_folder.hpp"
+#include "pipeline/batch/plan_text.hpp"
+#include "pipeline/batch/ranks.hpp"
 #include "pipeline/batch/records.hpp"
 #include "pipeline/batch/supervisor.hpp"
-#include "pipeline/batch/time_left.hpp"
 #include "pipeline/cli/batch_jobs.hpp"
 #include "pipeline/cli/commands.hpp"
 #include "pipeline/cli/config_file.hpp"
@@ -66,38 +69,92 @@ void tell(const BatchArguments& arguments, const BatchFolder& folder, const std:
   std::fflush(stdout);
 }
 
-void run(const CLI::App& command, const BatchArguments& arguments) {
-  check(arguments);
-  const auto began = std::chrono::steady_clock::now();
-  const BatchJobs batch = make_batch_jobs(command, arguments);
-  for (const std::string& note : batch.notes) log::info("{}", note);
-  BatchOptions options = options_of(arguments);
-  const BatchFolder folder(arguments.mesh.output);
-  const BatchLock lock(folder);
-  make_output_folders(batch.jobs);
-  remove_partial_outputs(batch.jobs, 0);
-  ProgressBar bar(!arguments.mesh.common.quiet);
-  const Progress progress = bar.progress();
-  BatchPlan plan = plan_batch(batch.jobs, folder, options.version, progress);
-  options.on_record = [&](const JobRecord& record) {
-    bar.clear();
-    tell_record(batch.jobs[record.job], record);
-  };
-  JobShare share(std::move(plan.order));
-  std::vector<JobRecord> known = run_batch(options, folder, batch.jobs, share, progress);
-  bar.clear();
-  known.insert(known.end(), plan.done.begin(), plan.done.end());
-  const std::vector<JobRecord> records = complete(batch.jobs.size(), known);
-  tell(arguments, folder, batch.jobs, records);
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-  log::info("{} jobs in {}: {}; what became of each is in {}", records.size(), duration_text(seconds),
-            count_text(records), folder.table());
+// The share of this rank in what the machine has.
+void divide(BatchOptions& options, const BatchArguments& arguments, const Ranks& ranks) {
+  if (arguments.mesh.common.threads == 0) {
+    // A launcher may have bound this process to some of the cores: those are its share already.
+    const int each = static_cast<int>(::sysconf(_SC_NPROCESSORS_ONLN)) / ranks.on_this_machine();
+    options.threads = std::clamp(each, 1, options.threads);
+  }
+  if (!arguments.bytes) options.memory_bytes /= static_cast<std::uint64_t>(ranks.on_this_machine());
+}
+
+void finish(const BatchArguments& arguments, const BatchFolder& folder, const std::vector<BatchJob>& jobs,
+            const std::vector<JobRecord>& records, const Progress& progress) {
+  tell(arguments, folder, jobs, records);
+  log::info("{} jobs: {}; what became of each is in {}", records.size(), count_text(records), folder.table());
   if (progress.cancelled())
     throw Error(ErrorKind::kInterrupted, "interrupted: the same command goes on from here");
   const auto bad = std::ranges::count_if(records, [](const JobRecord& r) { return !is_good(r.outcome); });
   if (bad > 0)
     throw Error(ErrorKind::kJobs, fmt::format("{} of {} jobs did not end well; {} tells why", bad,
                                               records.size(), folder.table()));
+}
+
+// Rank 0: finds the jobs, tells the others, does its share, and has the last word.
+void lead(const CLI::App& command, const BatchArguments& arguments, BatchOptions& options, Ranks& ranks,
+          const Progress& progress, ProgressBar& bar) {
+  std::optional<BatchFolder> folder;
+  std::optional<BatchLock> lock;
+  BatchJobs batch;
+  BatchPlan plan;
+  try {
+    check(arguments);
+    batch = make_batch_jobs(command, arguments);
+    for (const std::string& note : batch.notes) log::info("{}", note);
+    folder.emplace(arguments.mesh.output);
+    lock.emplace(*folder);
+    make_output_folders(batch.jobs);
+    remove_partial_outputs(batch.jobs, 0);
+    plan = plan_batch(batch.jobs, *folder, options.version, progress);
+  } catch (const std::exception&) {
+    static_cast<void>(ranks.broadcast(""));
+    throw;
+  }
+  if (ranks.count() > 1) static_cast<void>(ranks.broadcast(plan_text({batch.jobs, plan.order})));
+  options.on_record = [&](const JobRecord& record) {
+    bar.clear();
+    tell_record(batch.jobs[record.job], record);
+  };
+  const std::unique_ptr<JobShare> share = ranks.share(std::move(plan.order));
+  std::vector<JobRecord> known = run_batch(options, *folder, batch.jobs, *share, progress);
+  bar.clear();
+  known.insert(known.end(), plan.done.begin(), plan.done.end());
+  finish(arguments, *folder, batch.jobs, complete(batch.jobs.size(), known), progress);
+}
+
+// Every other rank. Rank 0 tells what went wrong before there was a plan.
+void follow(const BatchArguments& arguments, const BatchOptions& options, Ranks& ranks,
+            const Progress& progress) {
+  const std::string text = ranks.broadcast("");
+  if (text.empty()) return;
+  SharedPlan plan = parse_plan(text);
+  const BatchFolder folder(arguments.mesh.output);
+  const std::unique_ptr<JobShare> share = ranks.share(std::move(plan.order));
+  static_cast<void>(run_batch(options, folder, plan.jobs, *share, progress));
+  if (progress.cancelled()) throw Error(ErrorKind::kInterrupted, "interrupted");
+}
+
+void run(const CLI::App& command, const BatchArguments& arguments) {
+  const std::unique_ptr<Ranks> ranks = join_ranks();
+  ProgressBar bar(!arguments.mesh.common.quiet && ranks->rank() == 0);
+  const Progress progress = bar.progress();
+  BatchOptions options = options_of(arguments);
+  divide(options, arguments, *ranks);
+  try {
+    if (ranks->rank() == 0)
+      lead(command, arguments, options, *ranks, progress, bar);
+    else
+      follow(arguments, options, *ranks, progress);
+  } catch (const Error& error) {
+    // Rank 0 ends like this when all others are through, or have not begun; else they must not wait for it.
+    const bool in_order = error.kind() == ErrorKind::kJobs || error.kind() == ErrorKind::kUsage ||
+                          error.kind() == ErrorKind::kInput;
+    if (in_order || ranks->count() == 1) throw;
+    bar.clear();
+    log::write_error(error.message());
+    ranks->abort(error.exit_code());
+  }
 }
 
 void add_batch_options(CLI::App& command, BatchArguments& arguments) {
