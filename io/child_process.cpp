@@ -17,16 +17,17 @@ constexpr int kNotFound = 127;
 
 }  // namespace
 
-std::optional<int> run_program(const ChildProcess& process, const Progress& progress) {
-  std::optional<RunningChild> child = RunningChild::start(process.start);
+std::optional<int> run_program(const ChildStart& start, const Progress& progress,
+                               std::chrono::seconds time_limit) {
+  std::optional<RunningChild> child = RunningChild::start(start);
   if (!child) return std::nullopt;
-  const auto end = std::chrono::steady_clock::now() + process.time_limit;
+  const auto end = std::chrono::steady_clock::now() + time_limit;
   std::optional<ChildEnd> ended;
   while (!(ended = child->ended())) {
     progress.throw_if_cancelled();
     if (std::chrono::steady_clock::now() > end)
-      throw Error(ErrorKind::kBudget, fmt::format("{}: not done after {} seconds", process.start.words[0],
-                                                  process.time_limit.count()));
+      throw Error(ErrorKind::kBudget,
+                  fmt::format("{}: not done after {} seconds", start.words[0], time_limit.count()));
     pollfd wait{child->descriptor(), POLLIN, 0};
     ::poll(&wait, 1, static_cast<int>(kLook.count()));
   }

@@ -16,7 +16,7 @@ struct ChildStart {
   // Files that take what it writes; its standard input is empty.
   std::string out, err;
   // Variables of its environment beside those of this program.
-  std::vector<std::pair<std::string, std::string>> environment;
+  std::vector<std::pair<std::string, std::string>> environment{};
 };
 
 struct ChildEnd {

@@ -71,11 +71,11 @@ class OgrReader {
   }
 
   void run(std::vector<std::string> words, const std::string& out) {
-    ChildProcess process;
-    process.start.words = std::move(words);
-    process.start.out = folder_.file(out);
-    process.start.err = folder_.file("messages");
-    const std::optional<int> status = run_program(process, options_.progress);
+    ChildStart start;
+    start.words = std::move(words);
+    start.out = folder_.file(out);
+    start.err = folder_.file("messages");
+    const std::optional<int> status = run_program(start, options_.progress);
     const std::string extension = std::filesystem::path(source_.name).extension().string();
     if (!status)
       fail(
@@ -83,9 +83,9 @@ class OgrReader {
                       "install gdal-bin), or save them as one of {}",
                       extension, readable_line_extensions()));
     if (*status != 0) {
-      std::string reason = reason_in(process.start.err);
-      if (reason.empty()) reason = reason_in(process.start.out);
-      fail(fmt::format("GDAL ({}) cannot read it: {}; read without GDAL: {}", process.start.words[0],
+      std::string reason = reason_in(start.err);
+      if (reason.empty()) reason = reason_in(start.out);
+      fail(fmt::format("GDAL ({}) cannot read it: {}; read without GDAL: {}", start.words[0],
                        reason.empty() ? fmt::format("exit status {}", *status) : reason,
                        readable_line_extensions()));
     }
