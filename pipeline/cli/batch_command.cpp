@@ -100,7 +100,8 @@ void lead(const CLI::App& command, const BatchArguments& arguments, BatchOptions
   BatchPlan plan;
   try {
     check(arguments);
-    batch = make_batch_jobs(command, arguments);
+    batch = make_batch_jobs(command, arguments, progress);
+    bar.clear();
     for (const std::string& note : batch.notes) log::info("{}", note);
     folder.emplace(arguments.mesh.output);
     lock.emplace(*folder);

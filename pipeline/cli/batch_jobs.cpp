@@ -14,7 +14,9 @@
 #include "io/input_text.hpp"
 #include "io/lower_case.hpp"
 #include "pipeline/batch/folder_inputs.hpp"
+#include "pipeline/batch/guess_weights.hpp"
 #include "pipeline/cli/batch_list.hpp"
+#include "pipeline/cli/job_weight.hpp"
 #include "pipeline/cli/mesh_surface_command.hpp"
 #include "pipeline/section/section_report.hpp"
 
@@ -154,10 +156,8 @@ std::vector<std::string> files_of(MeshArguments mesh) {
   }
 }
 
-// About how many elements: what is asked for, or what that many bytes of input usually have.
-double weight_of(const MeshArguments& mesh, const std::vector<std::string>& files) {
-  if (mesh.section.count && *mesh.section.count > 0) return *mesh.section.count;
-  double bytes = 1;
+double bytes_of(const std::vector<std::string>& files) {
+  double bytes = 0;
   for (const std::string& file : files) {
     std::error_code failure;
     const auto size = fs::file_size(file, failure);
@@ -166,7 +166,12 @@ double weight_of(const MeshArguments& mesh, const std::vector<std::string>& file
   return bytes;
 }
 
-BatchJob make_job(const Source& source, const CLI::App& command, const BatchArguments& arguments) {
+struct Prepared {
+  BatchJob job;
+  MeshArguments mesh;
+};
+
+Prepared prepare_job(const Source& source, const CLI::App& command, const BatchArguments& arguments) {
   CLI::App app("", "mesh");
   MeshArguments mesh;
   add_mesh_options(app, mesh);
@@ -198,8 +203,8 @@ BatchJob make_job(const Source& source, const CLI::App& command, const BatchArgu
   append_words(app, job.words);
   job.report = mesh.report;
   job.inputs = files_of(mesh);
-  job.weight = weight_of(mesh, job.inputs.empty() ? mesh.section.inputs : job.inputs);
-  return job;
+  job.weight = elements_of_bytes(bytes_of(job.inputs.empty() ? mesh.section.inputs : job.inputs));
+  return {std::move(job), std::move(mesh)};
 }
 
 void check_files(const std::vector<BatchJob>& jobs) {
@@ -218,13 +223,30 @@ void check_files(const std::vector<BatchJob>& jobs) {
                     fmt::format("{}: is an input of {} and an output of {}", input, job.name, at->second));
 }
 
+// By what the jobs read, or its bytes where that tells nothing. A pipe would be read once only.
+void weigh(std::vector<Prepared>& prepared, const Progress& progress) {
+  const auto guess = [&](std::size_t i) {
+    std::error_code ignored;
+    for (const std::string& input : prepared[i].job.inputs)
+      if (!fs::is_regular_file(input, ignored)) return 0.0;
+    return foresee_elements(prepared[i].mesh);
+  };
+  const std::vector<std::optional<double>> weights = guess_weights(prepared.size(), guess, progress);
+  for (std::size_t i = 0; i < prepared.size(); ++i)
+    if (weights[i]) prepared[i].job.weight = *weights[i];
+}
+
 }  // namespace
 
-BatchJobs make_batch_jobs(const CLI::App& command, const BatchArguments& arguments) {
+BatchJobs make_batch_jobs(const CLI::App& command, const BatchArguments& arguments,
+                          const Progress& progress) {
   BatchJobs batch;
   std::vector<Source> sources = find_sources(arguments, batch.notes);
   name_sources(sources);
-  for (const Source& source : sources) batch.jobs.push_back(make_job(source, command, arguments));
+  std::vector<Prepared> prepared;
+  for (const Source& source : sources) prepared.push_back(prepare_job(source, command, arguments));
+  weigh(prepared, progress);
+  for (Prepared& each : prepared) batch.jobs.push_back(std::move(each.job));
   check_files(batch.jobs);
   return batch;
 }

@@ -8,6 +8,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "engine/base/progress.hpp"
 #include "pipeline/batch/job.hpp"
 #include "pipeline/cli/mesh_arguments.hpp"
 
@@ -31,6 +32,7 @@ struct BatchJobs {
 // defaults of the list. Throws Error(kInput) for a folder or a list that cannot be read and where there is no
 // job at all, and Error(kUsage) for a list that makes no sense, jobs of the same name, and an output that is
 // an input or another output as well. What is wrong with the options of one job is told when it is run.
-[[nodiscard]] BatchJobs make_batch_jobs(const CLI::App& command, const BatchArguments& arguments);
+[[nodiscard]] BatchJobs make_batch_jobs(const CLI::App& command, const BatchArguments& arguments,
+                                        const Progress& progress);
 
 }  // namespace quarry::cli
