@@ -108,7 +108,7 @@ def main():
         print(f"Machine: {jobs.machine_text()}.\n")
         print(f"{options.sections} sections of {options.lines} lines, --size {options.size:g}.\n")
         print("| round | alone: s | alone: processor s | batch: s | batch: processor s | s / (alone / cores) | "
-              "processor / alone | cores busy % |\n|---|---|---|---|---|---|---|---|")
+              "processor / alone | cores busy % | threads in use % |\n|---|---|---|---|---|---|---|---|---|")
         ratios = []
         for number in range(options.rounds):
             wall, cpu = alone(options.quarry, inputs, single, options.size)
@@ -117,8 +117,10 @@ def main():
             if done.code:
                 sys.exit(f"batch: {done.why}")
             ratios.append(done.wall / (wall / cores))
+            in_use = sum(job["seconds"] * job["threads"] for job in outcomes(work).values())
             print(f"| {number + 1} | {wall:.1f} | {cpu:.1f} | {done.wall:.1f} | {done.cpu:.1f} | {ratios[-1]:.3f} | "
-                  f"{done.cpu / cpu:.3f} | {100 * done.cpu / done.wall / cores:.0f} |", flush=True)
+                  f"{done.cpu / cpu:.3f} | {100 * done.cpu / done.wall / cores:.0f} | "
+                  f"{100 * in_use / done.wall / cores:.0f} |", flush=True)
         print(f"\nMedian of s / (alone / cores): {statistics.median(ratios):.3f}, wanted at most 1.1. The same bytes as "
               f"alone: {'ok' if same_meshes(inputs, single, out) else 'NO'}.\n")
         again = batch(options.quarry, [folder, "-o", out, "--size", options.size], work)

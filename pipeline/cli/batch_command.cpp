@@ -155,6 +155,9 @@ void run(const CLI::App& command, const BatchArguments& arguments) {
     bar.clear();
     log::write_error(error.message());
     ranks->abort(error.exit_code());
+  } catch (const std::exception&) {
+    ranks->abort(static_cast<int>(ErrorKind::kBug));
+    throw;
   }
 }
 
