@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <charconv>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
@@ -18,6 +19,19 @@ namespace quarry {
 namespace {
 
 constexpr std::size_t kBufferBytes = std::size_t{1} << 20;
+constexpr std::string_view kPartial = ".partial";
+
+// Takes ".NUMBER" off the end of a name.
+std::optional<int> take_number(std::string_view& name) {
+  const std::size_t dot = name.find_last_of('.');
+  if (dot == std::string_view::npos) return std::nullopt;
+  const std::string_view digits = name.substr(dot + 1);
+  int number = 0;
+  const auto [end, failure] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+  if (failure != std::errc() || end != digits.data() + digits.size()) return std::nullopt;
+  name = name.substr(0, dot);
+  return number;
+}
 
 }  // namespace
 
@@ -30,7 +44,7 @@ AtomicFile::AtomicFile(std::string path) : path_(std::move(path)) {
     throw Error(ErrorKind::kOutput, fmt::format("{}: is a folder or a device; name a file to write", path_));
   // Two jobs that write the same target at the same time must not share the temporary file.
   for (int attempt = 0; attempt < 100 && descriptor_ < 0; ++attempt) {
-    temporary_ = fmt::format("{}.{}.{}.partial", target_, static_cast<long>(::getpid()), attempt);
+    temporary_ = fmt::format("{}.{}.{}{}", target_, static_cast<long>(::getpid()), attempt, kPartial);
     descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor_ < 0 && errno != EEXIST) break;
   }
@@ -100,6 +114,15 @@ void AtomicFile::commit() {
   if (::close(descriptor) != 0) fail("cannot be closed");
   if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail("cannot be put in place");
   temporary_.clear();
+}
+
+std::optional<PartialFile> parse_partial_name(std::string_view name) {
+  if (!name.ends_with(kPartial)) return std::nullopt;
+  name.remove_suffix(kPartial.size());
+  if (!take_number(name)) return std::nullopt;
+  const std::optional<int> process = take_number(name);
+  if (!process || name.empty()) return std::nullopt;
+  return PartialFile{std::string(name), *process};
 }
 
 void write_file(const std::string& path, std::string_view text) {

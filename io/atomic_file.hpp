@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -44,6 +45,16 @@ class AtomicFile {
   std::size_t size_ = 0;
   int descriptor_ = -1;
 };
+
+// A temporary file that a process left behind which was killed: the name of what it was to become, and the
+// number of the process.
+struct PartialFile {
+  std::string target;
+  int process = 0;
+};
+
+// What the name of such a file says; none for the names of other files.
+[[nodiscard]] std::optional<PartialFile> parse_partial_name(std::string_view name);
 
 // Writes a whole file at once.
 void write_file(const std::string& path, std::string_view text);

@@ -37,7 +37,7 @@ std::string gdal_path(const std::string& path) {
 
 void run_gdal(std::vector<std::string> words, const ScratchFolder& folder, const std::string& out,
               const std::string& source, const std::string& instead, const Progress& progress) {
-  ChildProcess process;
+  ChildStart process;
   process.words = std::move(words);
   process.out = folder.file(out);
   process.err = folder.file("messages");

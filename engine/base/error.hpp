@@ -16,6 +16,7 @@ enum class ErrorKind {
   kBudget = 5,
   kQuality = 6,
   kOutput = 7,
+  kJobs = 8,
   kInterrupted = 130,
 };
 

@@ -13,7 +13,8 @@ void add_convert_command(CLI::App& program);
 void add_picture_command(CLI::App& program);
 void add_improve_command(CLI::App& program);
 void add_generate_command(CLI::App& program);
-// Commands whose place is kept: batch, adapt.
+void add_batch_command(CLI::App& program);
+// Commands whose place is kept: adapt.
 void add_planned_commands(CLI::App& program);
 
 }  // namespace quarry::cli

@@ -3,26 +3,12 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
 #include "engine/base/error.hpp"
+#include "pipeline/cli/config_table.hpp"
 
 namespace quarry::cli {
 namespace {
-
-toml::table parse(const std::string& path) {
-  try {
-    return toml::parse_file(path);
-  } catch (const toml::parse_error& error) {
-    throw Error(ErrorKind::kInput, fmt::format("{}: line {}: {}", path, error.source().begin.line,
-                                               std::string_view(error.description())));
-  }
-}
-
-[[noreturn]] void fail_at(const std::string& path, const toml::key& key, std::string_view what) {
-  throw Error(ErrorKind::kUsage,
-              fmt::format("{}: line {}: key {}: {}", path, key.source().begin.line, key.str(), what));
-}
 
 // A value as one would write it on the command line; shortest digits that read as the same number.
 void append_texts(const std::string& path, const toml::key& key, const toml::node& node,
@@ -51,22 +37,43 @@ CLI::Option* find_option(CLI::App& command, const std::string& key) {
 
 }  // namespace
 
-void apply_config(CLI::App& command, const std::string& path) {
-  const toml::table table = parse(path);
-  for (const auto& [key, node] : table) {
-    CLI::Option* option = find_option(command, std::string(key.str()));
-    if (option == nullptr)
-      fail_at(path, key, fmt::format("`quarry {}` has no such option", command.get_name()));
-    if (option->count() > 0) continue;
-    std::vector<std::string> texts;
-    append_texts(path, key, node, texts);
-    try {
-      for (const std::string& text : texts) option->add_result(text);
-      if (!texts.empty()) option->run_callback();
-    } catch (const CLI::ParseError& error) {
-      fail_at(path, key, error.what());
-    }
+toml::table parse_toml(const std::string& path) {
+  try {
+    return toml::parse_file(path);
+  } catch (const toml::parse_error& error) {
+    throw Error(ErrorKind::kInput, fmt::format("{}: line {}: {}", path, error.source().begin.line,
+                                               std::string_view(error.description())));
   }
+}
+
+void fail_at(const std::string& path, const toml::key& key, std::string_view what) {
+  throw Error(ErrorKind::kUsage,
+              fmt::format("{}: line {}: key {}: {}", path, key.source().begin.line, key.str(), what));
+}
+
+std::vector<std::string> texts_of(const std::string& path, const toml::key& key, const toml::node& node) {
+  std::vector<std::string> texts;
+  append_texts(path, key, node, texts);
+  return texts;
+}
+
+void apply_entry(CLI::App& command, const std::string& path, const toml::key& key, const toml::node& node) {
+  CLI::Option* option = find_option(command, std::string(key.str()));
+  if (option == nullptr)
+    fail_at(path, key, fmt::format("`quarry {}` has no such option", command.get_name()));
+  if (option->count() > 0) return;
+  const std::vector<std::string> texts = texts_of(path, key, node);
+  try {
+    for (const std::string& text : texts) option->add_result(text);
+    if (!texts.empty()) option->run_callback();
+  } catch (const CLI::ParseError& error) {
+    fail_at(path, key, error.what());
+  }
+}
+
+void apply_config(CLI::App& command, const std::string& path) {
+  const toml::table table = parse_toml(path);
+  for (const auto& [key, node] : table) apply_entry(command, path, key, node);
 }
 
 }  // namespace quarry::cli

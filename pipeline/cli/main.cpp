@@ -22,7 +22,7 @@ constexpr const char* kFooter =
     "Exit codes: 0 done, 1 a bug in quarry, 2 usage, 3 input cannot be read or is invalid, 4 geometry cannot "
     "be\n"
     "meshed as asked, 5 a stated budget ran out, 6 a quality demand is not met, 7 output cannot be written,\n"
-    "130 interrupted. Output files appear whole or not at all.";
+    "8 jobs of a batch did not end well, 130 interrupted. Output files appear whole or not at all.";
 
 void add_commands(CLI::App& program) {
   program.set_version_flag("--version", "quarry " QUARRY_VERSION, "the version, and nothing else");
@@ -37,6 +37,7 @@ void add_commands(CLI::App& program) {
   add_convert_command(program);
   add_picture_command(program);
   add_generate_command(program);
+  add_batch_command(program);
   add_planned_commands(program);
 }
 

@@ -141,11 +141,16 @@ bool is_surface(const std::vector<std::string>& inputs) {
   return !inputs.empty() && is_mesh_file(inputs.front());
 }
 
+std::vector<std::string> surface_input_files(const MeshArguments& arguments) {
+  std::vector<std::string> files = arguments.section.inputs;
+  for (const std::string& lines : arguments.lines)
+    for (std::string& file : files_read_with(lines)) files.push_back(std::move(file));
+  return files;
+}
+
 void run_mesh_surface(MeshArguments& arguments) {
   const SurfaceOptions options = options_of(arguments);
-  std::vector<std::string> files = options.inputs;
-  for (const std::string& lines : options.lines)
-    for (std::string& file : files_read_with(lines)) files.push_back(std::move(file));
+  const std::vector<std::string> files = surface_input_files(arguments);
   arguments.written.check(arguments.output);
   if (!arguments.repaired.empty()) check_writable_extension(arguments.repaired);
   if (!arguments.picture.empty()) check_picture_extension(arguments.picture);

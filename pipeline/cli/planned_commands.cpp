@@ -8,8 +8,7 @@
 namespace quarry::cli {
 
 void add_planned_commands(CLI::App& program) {
-  constexpr std::array<std::pair<const char*, const char*>, 2> kPlanned = {{
-      {"batch", "many models on every core (not built yet)"},
+  constexpr std::array<std::pair<const char*, const char*>, 1> kPlanned = {{
       {"adapt", "remesh to an error estimate (not built yet)"},
   }};
   for (const auto& [name, help] : kPlanned) {

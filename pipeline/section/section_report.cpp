@@ -141,7 +141,7 @@ std::string option_text(const std::vector<ReportItem>& options) {
   return text;
 }
 
-std::string hash_inputs(const SectionOptions& options) {
+std::vector<std::string> input_files(const SectionOptions& options) {
   std::vector<std::string> paths;
   for (const std::string& input : options.inputs)
     for (std::string& file : files_read_with(input)) paths.push_back(std::move(file));
@@ -151,8 +151,10 @@ std::string hash_inputs(const SectionOptions& options) {
   if (const std::string prices = price_file(options.irregular_price); !prices.empty())
     paths.push_back(prices);
   if (!options.sizes.file.empty()) paths.push_back(options.sizes.file);
-  return hash_files(paths);
+  return paths;
 }
+
+std::string hash_inputs(const SectionOptions& options) { return hash_files(input_files(options)); }
 
 namespace {
 

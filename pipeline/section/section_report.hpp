@@ -19,6 +19,8 @@ namespace quarry {
 // The hash (pipeline/report/input_hash.hpp) of all files that the job reads: the inputs in order, then those
 // of boundary, start mesh and prices. Throws Error(kInput).
 [[nodiscard]] std::string hash_inputs(const SectionOptions& options);
+// The files that it is of, with those that are read along with others.
+[[nodiscard]] std::vector<std::string> input_files(const SectionOptions& options);
 
 // Everything but command, version, threads and hash, which the caller knows. quality: of result.mesh.
 [[nodiscard]] JobReport report_section(const SectionOptions& options, const SectionResult& result,

@@ -58,6 +58,9 @@ cp "$OUT/stdout" "$OUT/quality.json"
 expect "quality prints JSON" 0 python3 -m json.tool "$OUT/quality.json"
 expect "a drawn network" 0 "$QUARRY" generate fractures --count 150 --curved --outline -o "$OUT/network.geojson"
 expect "a drawn network is meshed" 0 "$QUARRY" mesh "$OUT/network.geojson" -o "$OUT/network.vtu" --size 30 --quiet
+expect "a batch" 0 "$QUARRY" batch "$SECTION" "$OUT/network.geojson" -o "$OUT/batch" --size 30 --quiet
+expect "a batch makes the same bytes" 0 cmp "$OUT/network.vtu" "$OUT/batch/network.vtu"
+expect "a batch with a broken job" 8 "$QUARRY" batch "$SECTION" "$OUT/none.geojson" -o "$OUT/batch" --size 30 --quiet
 expect "drawn layers" 0 "$QUARRY" generate layers --threads 2 -o "$OUT/layers.geojson"
 expect "drawn layers are meshed" 0 "$QUARRY" mesh "$OUT/layers.geojson" -o "$OUT/layers.vtu" --size 20 --quiet
 expect "picture" 0 "$QUARRY" picture "$OUT/1.vtu" -o "$OUT/section.svg"

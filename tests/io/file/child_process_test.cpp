@@ -16,9 +16,7 @@ namespace {
 class Child : public testing::Test {
  protected:
   std::optional<int> run(const std::vector<std::string>& words, const Progress& progress = Progress()) {
-    ChildProcess process{words, folder_.file("out"), folder_.file("err")};
-    process.time_limit = limit_;
-    return run_program(process, progress);
+    return run_program({words, folder_.file("out"), folder_.file("err")}, progress, limit_);
   }
   [[nodiscard]] std::string written(const std::string& name) const {
     std::ifstream file(folder_.file(name));
