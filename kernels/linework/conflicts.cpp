@@ -1,87 +1,83 @@
 #include "kernels/linework/conflicts.hpp"
 
 #include <algorithm>
+#include <tuple>
 
 #include "engine/geometry/segment.hpp"
-#include "engine/parallel/parallel.hpp"
+#include "kernels/linework/gather.hpp"
 
 namespace quarry::linework {
 namespace {
 
-constexpr std::size_t kQueriesPerChunk = 256;
+constexpr std::size_t kNodesPerChunk = 1024;
+constexpr std::size_t kCellsPerChunk = 4096;
 
-// Runs find(begin, end, found) over chunks of [0, size) and returns all that was found in order.
-template <class Found, class Find>
-std::vector<Found> gather(std::size_t size, Find&& find) {
-  return parallel::reduce_ordered(
-      size, std::vector<Found>(),
-      [&](std::size_t begin, std::size_t end) {
-        std::vector<Found> found;
-        find(begin, end, found);
-        return found;
-      },
-      [](std::vector<Found> all, std::vector<Found> part) {
-        all.insert(all.end(), part.begin(), part.end());
-        return all;
-      },
-      kQueriesPerChunk);
+// Sorts by what key(found) gives and drops what was found twice.
+template <class Found, class Key>
+void sort_unique(std::vector<Found>& found, Key&& key) {
+  std::sort(found.begin(), found.end(), [&](const Found& a, const Found& b) { return key(a) < key(b); });
+  found.erase(
+      std::unique(found.begin(), found.end(), [&](const Found& a, const Found& b) { return key(a) == key(b); }),
+      found.end());
 }
 
-// The edges near a segment, ascending: along a long one in short boxes, for the box of the whole would hold
-// far too much. part: scratch.
-void find_along(const Segment& segment, const SegmentGrid& grid, std::vector<std::uint32_t>& near,
-                std::vector<std::uint32_t>& part, double snap) {
-  const auto [a, b] = segment;
-  const auto parts = static_cast<std::size_t>(std::clamp(distance(a, b) / (64 * snap), 1.0, 256.0));
-  near.clear();
-  for (std::size_t k = 0; k < parts; ++k) {
-    Box2 box;
-    box.extend(point_at(static_cast<double>(k) / static_cast<double>(parts), a, b));
-    box.extend(point_at(static_cast<double>(k + 1) / static_cast<double>(parts), a, b));
-    if (parts == 1) return grid.find(box, near);
-    // Grown, as the points between the parts are rounded.
-    grid.find(box.grown(snap), part);
-    near.insert(near.end(), part.begin(), part.end());
-  }
-  std::sort(near.begin(), near.end());
-  near.erase(std::unique(near.begin(), near.end()), near.end());
+bool apart(double a, double b, double c, double d) {
+  return std::max(a, b) < std::min(c, d) || std::max(c, d) < std::min(a, b);
+}
+
+// Cheaper than the exact answer, and no for most pairs.
+bool boxes_apart(const Segment& s, const Segment& t) {
+  return apart(s.from.x, s.to.x, t.from.x, t.to.x) || apart(s.from.y, s.to.y, t.from.y, t.to.y);
 }
 
 }  // namespace
 
 std::vector<Hit> find_hits(const PathNetwork& network, const std::vector<Segment>& segments,
                            const SegmentGrid& grid, double snap) {
-  return gather<Hit>(network.nodes.size(), [&](std::size_t begin, std::size_t end, std::vector<Hit>& hits) {
-    std::vector<std::uint32_t> near;
-    for (std::size_t n = begin; n < end; ++n) {
-      if (network.degree[n] == 0) continue;
-      const NodeId node(n);
-      const Vec2 p = network.nodes[node];
-      grid.find(Box2{p, p}.grown(snap), near);
-      for (const std::uint32_t e : near) {
-        const Edge& edge = network.edges[e];
-        if (edge.from == node || edge.to == node) continue;
-        const double squared = squared_distance(p, segments[e].from, segments[e].to);
-        if (squared < snap * snap) hits.push_back({node, e, squared});
-      }
-    }
-  });
+  // By cells, so that what one node needs from memory is there for the next.
+  const std::vector<std::uint32_t> order = grid.by_cells(network.nodes.raw());
+  std::vector<Hit> hits = gather<Hit>(
+      order.size(),
+      [&](std::size_t begin, std::size_t end, std::vector<Hit>& found) {
+        for (std::size_t i = begin; i < end; ++i) {
+          const NodeId node(order[i]);
+          if (network.degree[node.value()] == 0) continue;
+          const Vec2 p = network.nodes[node];
+          const Box2 box = Box2{p, p}.grown(snap);
+          grid.visit_near(box, [&](std::uint32_t e) {
+            const auto [a, b] = segments[e];
+            if (apart(a.x, b.x, box.low.x, box.high.x) || apart(a.y, b.y, box.low.y, box.high.y)) return;
+            if (network.edges[e].from == node || network.edges[e].to == node) return;
+            const double squared = squared_distance(p, a, b);
+            if (squared < snap * snap) found.push_back({node, e, squared});
+          });
+        }
+      },
+      kNodesPerChunk);
+  sort_unique(hits, [](const Hit& hit) { return std::pair(hit.node, hit.edge); });
+  return hits;
 }
 
-std::vector<Crossing> find_crossings(const std::vector<Segment>& segments, const SegmentGrid& grid,
-                                     double snap) {
-  return gather<Crossing>(
-      segments.size(), [&](std::size_t begin, std::size_t end, std::vector<Crossing>& found) {
-        std::vector<std::uint32_t> near;
-        std::vector<std::uint32_t> part;
-        for (std::size_t e = begin; e < end; ++e) {
-          const auto [a, b] = segments[e];
-          find_along(segments[e], grid, near, part, snap);
-          for (const std::uint32_t f : near)
-            if (f > e && meeting(a, b, segments[f].from, segments[f].to) == Meeting::kProper)
-              found.push_back({static_cast<std::uint32_t>(e), f});
+std::vector<Crossing> find_crossings(const std::vector<Segment>& segments, const SegmentGrid& grid) {
+  std::vector<Crossing> crossings = gather<Crossing>(
+      grid.cell_count(),
+      [&](std::size_t begin, std::size_t end, std::vector<Crossing>& found) {
+        for (std::size_t cell = begin; cell < end; ++cell) {
+          const std::span<const std::uint32_t> entries = grid.entries(cell);
+          for (std::size_t i = 0; i < entries.size(); ++i) {
+            const Segment s = segments[entries[i]];
+            for (std::size_t k = i + 1; k < entries.size(); ++k) {
+              const Segment& t = segments[entries[k]];
+              if (!boxes_apart(s, t) && meeting(s.from, s.to, t.from, t.to) == Meeting::kProper)
+                found.push_back({entries[i], entries[k]});
+            }
+          }
         }
-      });
+      },
+      kCellsPerChunk);
+  // Two that cross may share more cells than the one that holds the crossing.
+  sort_unique(crossings, [](const Crossing& crossing) { return std::pair(crossing.first, crossing.second); });
+  return crossings;
 }
 
 }  // namespace quarry::linework

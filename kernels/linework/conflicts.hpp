@@ -25,8 +25,7 @@ struct Crossing {
 // then second edge, the first being the smaller number.
 [[nodiscard]] std::vector<Hit> find_hits(const PathNetwork& network, const std::vector<Segment>& segments,
                                          const SegmentGrid& grid, double snap);
-// snap: tells how long an edge is searched along in one go.
 [[nodiscard]] std::vector<Crossing> find_crossings(const std::vector<Segment>& segments,
-                                                   const SegmentGrid& grid, double snap);
+                                                   const SegmentGrid& grid);
 
 }  // namespace quarry::linework

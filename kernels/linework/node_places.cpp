@@ -33,11 +33,13 @@ NodeId NodePlaces::at(Vec2 p, bool outline) {
 }
 
 void NodePlaces::begin_merging() {
+  merged_ = false;
   substitute_ = IdVector<NodeId, NodeId>(network_.nodes.size());
   for (const NodeId node : IdRange<NodeId>(substitute_.size())) substitute_[node] = node;
 }
 
 void NodePlaces::finish_merging() {
+  if (!merged_) return;
   for (const NodeId node : IdRange<NodeId>(substitute_.size())) substitute_[node] = root(node);
   network_.substitute(substitute_);
 }
@@ -56,6 +58,7 @@ NodeId NodePlaces::put_on_outline(NodeId node, Vec2 place) {
   for (NodeId near = buckets_.nearest(place, node); near.valid(); near = buckets_.nearest(place, node)) {
     const bool stays = on_outline(near);
     const NodeId gone = stays ? node : near;
+    merged_ = true;
     substitute_[gone] = stays ? near : node;
     buckets_.remove(gone);
     if (stays) return near;

@@ -11,6 +11,7 @@
 #include "engine/base/error.hpp"
 #include "engine/geometry/segment.hpp"
 #include "kernels/linework/conflicts.hpp"
+#include "kernels/linework/gather.hpp"
 #include "kernels/linework/nearest_course.hpp"
 #include "kernels/linework/node_buckets.hpp"
 #include "kernels/linework/node_places.hpp"
@@ -90,22 +91,42 @@ class Noder {
   bool lay_far_paths_anew(std::span<const Hit> stuck) {
     std::vector<std::uint8_t> stuck_edges(stuck.empty() ? 0 : network_.edges.size(), 0);
     for (const Hit& hit : stuck) stuck_edges[hit.edge] = 1;
+    const auto mark = [&](std::size_t p, std::vector<std::uint8_t>& marked) {
+      return mark_far_edges(p, stuck_edges, marked);
+    };
     bool changed = false;
     std::vector<std::uint8_t> marked;
-    for (std::size_t p = 0; p < network_.paths.size(); ++p) {
-      const Path& path = network_.paths[p];
-      if (network_.raw[path.raw].rigid || path.steps.size() < 2) continue;
-      marked.assign(path.steps.size() - 1, 0);
-      bool any = false;
-      for (std::size_t i = 0; i < marked.size(); ++i) {
-        const bool is_stuck =
-            !stuck.empty() && stuck_edges[network_.edge_of_step[network_.edge_begin[p] + i]] != 0;
-        marked[i] = is_stuck || deviation_of(path, i) > too_far_ ? 1 : 0;
-        any = any || marked[i] != 0;
-      }
-      if (any && lay_anew(network_.paths[p], marked)) changed = true;
-    }
+    // Laying one anew changes no other.
+    for (const std::uint32_t p : paths_where(mark))
+      if (mark(p, marked) && lay_anew(network_.paths[p], marked)) changed = true;
     return changed;
+  }
+
+  // Marks the edges of a path that are to be laid anew; whether there are any.
+  bool mark_far_edges(std::size_t p, const std::vector<std::uint8_t>& stuck_edges,
+                      std::vector<std::uint8_t>& marked) const {
+    const Path& path = network_.paths[p];
+    if (network_.raw[path.raw].rigid || path.steps.size() < 2) return false;
+    marked.assign(path.steps.size() - 1, 0);
+    bool any = false;
+    for (std::size_t i = 0; i < marked.size(); ++i) {
+      const bool is_stuck =
+          !stuck_edges.empty() && stuck_edges[network_.edge_of_step[network_.edge_begin[p] + i]] != 0;
+      marked[i] = is_stuck || deviation_of(path, i) > too_far_ ? 1 : 0;
+      any = any || marked[i] != 0;
+    }
+    return any;
+  }
+
+  // The paths of which holds(path number, scratch) is true, ascending.
+  template <class Holds>
+  std::vector<std::uint32_t> paths_where(Holds&& holds) const {
+    return gather<std::uint32_t>(
+        network_.paths.size(), [&](std::size_t begin, std::size_t end, std::vector<std::uint32_t>& found) {
+          std::vector<std::uint8_t> scratch;
+          for (std::size_t p = begin; p < end; ++p)
+            if (holds(p, scratch)) found.push_back(static_cast<std::uint32_t>(p));
+        });
   }
 
   double deviation_of(const Path& path, std::size_t i) const {
@@ -146,18 +167,31 @@ class Noder {
   // along with that line (the drift of iterated snap rounding: Packer 2008). Where an edge is too far from
   // the stretch that it stands for, the path is brought back to the raw line by a node on it.
   void anchor_drifting_paths() {
-    for (Path& path : network_.paths) {
-      if (network_.raw[path.raw].rigid) continue;
-      for (std::size_t i = 0; i + 1 < path.steps.size(); ++i) {
-        const double at = anchor(path, i);
-        if (!(at > path.steps[i].at && at < path.steps[i + 1].at)) continue;
-        const Vec2 place = raw_point(network_.raw[path.raw].points, at);
-        if (places_.nearest(place).valid()) continue;
-        const NodeId node = places_.add(place, path.outline);
-        path.steps.insert(path.steps.begin() + static_cast<std::ptrdiff_t>(i) + 1, {node, at});
-        ++counts_.anchors;
-      }
+    const auto drifts = [&](std::size_t p, std::vector<std::uint8_t>&) {
+      const Path& path = network_.paths[p];
+      if (network_.raw[path.raw].rigid) return false;
+      for (std::size_t i = 0; i + 1 < path.steps.size(); ++i)
+        if (is_between(path, i, anchor(path, i))) return true;
+      return false;
+    };
+    // Anchoring one changes no other, but for nodes that another then need not add.
+    for (const std::uint32_t p : paths_where(drifts)) anchor_path(network_.paths[p]);
+  }
+
+  void anchor_path(Path& path) {
+    for (std::size_t i = 0; i + 1 < path.steps.size(); ++i) {
+      const double at = anchor(path, i);
+      if (!is_between(path, i, at)) continue;
+      const Vec2 place = raw_point(network_.raw[path.raw].points, at);
+      if (places_.nearest(place).valid()) continue;
+      const NodeId node = places_.add(place, path.outline);
+      path.steps.insert(path.steps.begin() + static_cast<std::ptrdiff_t>(i) + 1, {node, at});
+      ++counts_.anchors;
     }
+  }
+
+  static bool is_between(const Path& path, std::size_t i, double at) {
+    return at > path.steps[i].at && at < path.steps[i + 1].at;
   }
 
   // The parameter at which a path should return to its raw line between two steps; that of the first if it
@@ -208,7 +242,7 @@ class Noder {
   }
 
   bool node_crossings(const std::vector<Segment>& segments, const SegmentGrid& grid) {
-    const std::vector<Crossing> crossings = find_crossings(segments, grid, snap_);
+    const std::vector<Crossing> crossings = find_crossings(segments, grid);
     if (crossings.empty()) return false;
     require_rounds(segments[crossings.front().first].from);
     bending_rounds_ = kRoundsOfBending;
@@ -251,39 +285,95 @@ class Noder {
   std::uint32_t bending_rounds_ = kRoundsOfBending;
 };
 
+// Points become nodes one after the other, unless a node is near. That takes one thread, but most points have
+// no other near them: those are found first, by all, and need not be looked up.
+class Clustering {
+ public:
+  Clustering(std::vector<RawLine> raw, double apart) : apart_(apart), buckets_(origin_of(raw), apart) {
+    network_.raw = std::move(raw);
+    for (const RawLine& line : network_.raw) {
+      begin_.push_back(points_.size());
+      points_.insert(points_.end(), line.points.begin(), line.points.end());
+    }
+    begin_.push_back(points_.size());
+    node_of_.resize(points_.size());
+  }
+
+  PathNetwork run() {
+    find_lonely();
+    for (std::size_t r = 0; r < network_.raw.size(); ++r)
+      if (network_.raw[r].outline)
+        for (std::size_t i = begin_[r]; i < begin_[r + 1]; ++i) (void)node_at(i);
+    for (std::size_t r = 0; r < network_.raw.size(); ++r)
+      if (begin_[r] != begin_[r + 1])
+        for (const std::size_t i : {begin_[r], begin_[r + 1] - 1}) (void)node_at(i);
+    network_.paths.resize(network_.raw.size());
+    for (std::size_t r = 0; r < network_.raw.size(); ++r) {
+      Path& path = network_.paths[r];
+      path.raw = static_cast<std::uint32_t>(r);
+      path.outline = network_.raw[r].outline;
+      path.steps.reserve(begin_[r + 1] - begin_[r]);
+      for (std::size_t i = begin_[r]; i < begin_[r + 1]; ++i)
+        path.steps.push_back({node_at(i), static_cast<double>(i - begin_[r])});
+    }
+    network_.drop_repeated_steps();
+    return std::move(network_);
+  }
+
+ private:
+  // Somewhere among the points, so that offsets from it are small.
+  static Vec2 origin_of(const std::vector<RawLine>& raw) {
+    Vec2 origin;
+    for (const RawLine& line : raw)
+      if (!line.points.empty()) origin = line.points.front();
+    return origin;
+  }
+
+  void find_lonely() {
+    const PointGrid grid(points_, 4 * apart_);
+    const std::span<const std::uint32_t> order = grid.by_cells();
+    lonely_.assign(points_.size(), 0);
+    parallel::for_each(
+        order.size(),
+        [&](std::size_t k) {
+          const Vec2 p = points_[order[k]];
+          std::size_t near = 0;
+          grid.visit_near(Box2{p, p}.grown(apart_), [&](std::uint32_t other) {
+            if (squared_length(points_[other] - p) < apart_ * apart_) ++near;
+          });
+          lonely_[order[k]] = near == 1 ? 1 : 0;
+        },
+        1024);
+  }
+
+  NodeId node_at(std::size_t i) {
+    NodeId& node = node_of_[i];
+    if (lonely_[i] != 0) {
+      if (!node.valid()) node = network_.nodes.push_back(points_[i]);
+      return node;
+    }
+    // Asked anew each time: a nearer node may have come since.
+    node = buckets_.nearest(points_[i]);
+    if (!node.valid()) {
+      node = network_.nodes.push_back(points_[i]);
+      buckets_.insert(node, points_[i]);
+    }
+    return node;
+  }
+
+  double apart_;
+  PathNetwork network_;
+  NodeBuckets buckets_;
+  std::vector<Vec2> points_;        // of all raw lines
+  std::vector<std::size_t> begin_;  // of each raw line in them
+  std::vector<std::uint8_t> lonely_;
+  std::vector<NodeId> node_of_;
+};
+
 }  // namespace
 
 PathNetwork cluster_points(std::vector<RawLine> raw, double snap) {
-  PathNetwork network;
-  network.raw = std::move(raw);
-  Vec2 origin;
-  for (const RawLine& line : network.raw)
-    if (!line.points.empty()) origin = line.points.front();
-  NodeBuckets buckets(origin, std::numbers::sqrt2 * snap);
-  const auto node_at = [&](Vec2 p) {
-    NodeId node = buckets.nearest(p);
-    if (!node.valid()) {
-      node = network.nodes.push_back(p);
-      buckets.insert(node, p);
-    }
-    return node;
-  };
-  for (const RawLine& line : network.raw)
-    if (line.outline)
-      for (const Vec2 p : line.points) (void)node_at(p);
-  for (const RawLine& line : network.raw)
-    if (!line.points.empty())
-      for (const Vec2 p : {line.points.front(), line.points.back()}) (void)node_at(p);
-  for (std::size_t r = 0; r < network.raw.size(); ++r) {
-    Path path;
-    path.raw = static_cast<std::uint32_t>(r);
-    path.outline = network.raw[r].outline;
-    for (std::size_t i = 0; i < network.raw[r].points.size(); ++i)
-      path.steps.push_back({node_at(network.raw[r].points[i]), static_cast<double>(i)});
-    network.paths.push_back(std::move(path));
-  }
-  network.drop_repeated_steps();
-  return network;
+  return Clustering(std::move(raw), std::numbers::sqrt2 * snap).run();
 }
 
 void node_and_snap(PathNetwork& network, double snap, double budget, CleanCounts& counts,

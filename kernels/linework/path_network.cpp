@@ -3,10 +3,16 @@
 #include <algorithm>
 #include <tuple>
 
+#include "engine/parallel/parallel.hpp"
 #include "engine/parallel/sort.hpp"
 #include "kernels/linework/raw_stretch.hpp"
 
 namespace quarry::linework {
+namespace {
+
+constexpr std::size_t kPathsPerChunk = 512;
+
+}  // namespace
 
 void PathNetwork::build_edges() {
   std::vector<std::uint64_t> keys;
@@ -46,54 +52,78 @@ std::vector<Segment> PathNetwork::segments() const {
 
 void PathNetwork::insert(std::vector<Insertion>& insertions) {
   if (insertions.empty()) return;
-  std::sort(insertions.begin(), insertions.end(), [](const Insertion& a, const Insertion& b) {
-    return std::tuple(a.edge, a.at, a.node) < std::tuple(b.edge, b.at, b.node);
+  const std::vector<std::size_t> begin = sort_by_edge(insertions);
+  parallel::for_each_chunk(paths.size(), kPathsPerChunk, [&](std::size_t first, std::size_t last) {
+    std::vector<PathStep> steps;
+    for (std::size_t p = first; p < last; ++p)
+      if (takes_any(p, begin)) insert_into(p, insertions, begin, steps);
   });
-  std::vector<std::uint32_t> begin(edges.size() + 1, 0);
-  for (const Insertion& insertion : insertions) ++begin[insertion.edge + 1];
-  for (std::size_t i = 0; i < edges.size(); ++i) begin[i + 1] += begin[i];
-  std::vector<PathStep> steps;
-  for (std::size_t p = 0; p < paths.size(); ++p) {
-    Path& path = paths[p];
-    const std::size_t count = path.steps.size();
-    bool touched = false;
-    for (std::size_t i = 0; i + 1 < count && !touched; ++i) {
-      const std::uint32_t edge = edge_of_step[edge_begin[p] + i];
-      touched = begin[edge] != begin[edge + 1];
+}
+
+// Sorts insertions by edge, then along it; returns where those of each edge begin, and the end of the last.
+std::vector<std::size_t> PathNetwork::sort_by_edge(std::vector<Insertion>& insertions) const {
+  std::vector<std::size_t> begin(edges.size() + 1, 0);
+  for (const Insertion& insertion : insertions) ++begin[insertion.edge];
+  (void)parallel::exclusive_scan(std::span(begin));
+  std::vector<Insertion> sorted(insertions.size());
+  std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
+  for (const Insertion& insertion : insertions) sorted[next[insertion.edge]++] = insertion;
+  insertions.swap(sorted);
+  parallel::for_each(edges.size(), [&](std::size_t edge) {
+    if (begin[edge + 1] - begin[edge] < 2) return;
+    std::sort(insertions.begin() + static_cast<std::ptrdiff_t>(begin[edge]),
+              insertions.begin() + static_cast<std::ptrdiff_t>(begin[edge + 1]),
+              [](const Insertion& a, const Insertion& b) {
+                return std::tie(a.at, a.node) < std::tie(b.at, b.node);
+              });
+  });
+  return begin;
+}
+
+bool PathNetwork::takes_any(std::size_t p, const std::vector<std::size_t>& begin) const {
+  for (std::size_t i = edge_begin[p]; i < edge_begin[p + 1]; ++i)
+    if (begin[edge_of_step[i]] != begin[edge_of_step[i] + 1]) return true;
+  return false;
+}
+
+void PathNetwork::insert_into(std::size_t p, const std::vector<Insertion>& insertions,
+                              const std::vector<std::size_t>& begin, std::vector<PathStep>& steps) {
+  Path& path = paths[p];
+  steps.clear();
+  for (std::size_t i = 0; i + 1 < path.steps.size(); ++i) {
+    steps.push_back(path.steps[i]);
+    const std::uint32_t edge = edge_of_step[edge_begin[p] + i];
+    const bool forward = edges[edge].from == path.steps[i].node;
+    const std::size_t size = begin[edge + 1] - begin[edge];
+    for (std::size_t k = 0; k < size; ++k) {
+      const NodeId node = insertions[forward ? begin[edge] + k : begin[edge + 1] - 1 - k].node;
+      const double at =
+          nearest_parameter(raw[path.raw].points, steps.back().at, path.steps[i + 1].at, nodes[node]);
+      steps.push_back({node, at});
     }
-    if (!touched) continue;
-    steps.clear();
-    for (std::size_t i = 0; i + 1 < count; ++i) {
-      steps.push_back(path.steps[i]);
-      const std::uint32_t edge = edge_of_step[edge_begin[p] + i];
-      const bool forward = edges[edge].from == path.steps[i].node;
-      const std::uint32_t size = begin[edge + 1] - begin[edge];
-      for (std::uint32_t k = 0; k < size; ++k) {
-        const NodeId node = insertions[forward ? begin[edge] + k : begin[edge + 1] - 1 - k].node;
-        const double at =
-            nearest_parameter(raw[path.raw].points, steps.back().at, path.steps[i + 1].at, nodes[node]);
-        steps.push_back({node, at});
-      }
-    }
-    steps.push_back(path.steps.back());
-    path.steps = steps;
-    drop_repeated_steps(path);
   }
+  steps.push_back(path.steps.back());
+  path.steps = steps;
+  drop_repeated_steps(path);
 }
 
 void PathNetwork::substitute(const IdVector<NodeId, NodeId>& substitute) {
-  for (Path& path : paths) {
-    bool touched = false;
-    for (PathStep& step : path.steps) {
-      touched = touched || substitute[step.node] != step.node;
-      step.node = substitute[step.node];
-    }
-    if (touched) drop_repeated_steps(path);
-  }
+  parallel::for_each(
+      paths.size(),
+      [&](std::size_t p) {
+        bool touched = false;
+        for (PathStep& step : paths[p].steps) {
+          touched = touched || substitute[step.node] != step.node;
+          step.node = substitute[step.node];
+        }
+        if (touched) drop_repeated_steps(paths[p]);
+      },
+      kPathsPerChunk);
 }
 
 void PathNetwork::drop_repeated_steps() {
-  for (Path& path : paths) drop_repeated_steps(path);
+  parallel::for_each(
+      paths.size(), [&](std::size_t p) { drop_repeated_steps(paths[p]); }, kPathsPerChunk);
 }
 
 void PathNetwork::drop_repeated_steps(Path& path) const {

@@ -67,6 +67,14 @@ struct PathNetwork {
   void substitute(const IdVector<NodeId, NodeId>& substitute);
   void drop_repeated_steps();
   void drop_repeated_steps(Path& path) const;
+
+ private:
+  std::vector<std::size_t> sort_by_edge(std::vector<Insertion>& insertions) const;
+  // begin: where the insertions of each edge begin. Whether path p takes an edge that has any.
+  [[nodiscard]] bool takes_any(std::size_t p, const std::vector<std::size_t>& begin) const;
+  // steps: scratch.
+  void insert_into(std::size_t p, const std::vector<Insertion>& insertions,
+                   const std::vector<std::size_t>& begin, std::vector<PathStep>& steps);
 };
 
 }  // namespace quarry::linework
