@@ -121,6 +121,14 @@ class SegmentGrid {
     frame_.for_each_entry(box, begin_, ids_, visit);
   }
 
+  // The same for the cells that a segment passes through.
+  template <class Visit>
+  void visit_along(const Segment& segment, Visit&& visit) const {
+    frame_.for_each_cell_of_segment(segment.from, segment.to, [&](std::size_t cell) {
+      for (const std::uint32_t id : entries(cell)) visit(id);
+    });
+  }
+
   [[nodiscard]] std::size_t cell_count() const { return frame_.size(); }
   // The segments entered in a cell, ascending. Two that have a common point share a cell that holds it.
   [[nodiscard]] std::span<const std::uint32_t> entries(std::size_t cell) const {

@@ -1,7 +1,9 @@
 #include "kernels/linework/conflicts.hpp"
 
 #include <algorithm>
-#include <tuple>
+#include <numeric>
+#include <span>
+#include <utility>
 
 #include "engine/geometry/segment.hpp"
 #include "kernels/linework/gather.hpp"
@@ -10,74 +12,217 @@ namespace quarry::linework {
 namespace {
 
 constexpr std::size_t kNodesPerChunk = 1024;
+constexpr std::size_t kEdgesPerChunk = 256;
 constexpr std::size_t kCellsPerChunk = 4096;
+// Above this share of young edges the grid of all of them is built anew.
+constexpr std::size_t kMostYoung = 4;  // one in so many
 
-// Sorts by what key(found) gives and drops what was found twice.
-template <class Found, class Key>
-void sort_unique(std::vector<Found>& found, Key&& key) {
-  std::sort(found.begin(), found.end(), [&](const Found& a, const Found& b) { return key(a) < key(b); });
-  found.erase(
-      std::unique(found.begin(), found.end(), [&](const Found& a, const Found& b) { return key(a) == key(b); }),
-      found.end());
+std::pair<NodeId, std::uint32_t> key_of(const Hit& hit) { return {hit.node, hit.edge}; }
+std::pair<std::uint32_t, std::uint32_t> key_of(const Crossing& crossing) {
+  return {crossing.first, crossing.second};
+}
+
+// One that shares several cells is found in each of them.
+template <class Found>
+std::vector<Found> sorted_unique(std::vector<Found> found, const std::vector<Found>& more = {}) {
+  found.insert(found.end(), more.begin(), more.end());
+  std::sort(found.begin(), found.end(),
+            [](const Found& a, const Found& b) { return key_of(a) < key_of(b); });
+  found.erase(std::unique(found.begin(), found.end(),
+                          [](const Found& a, const Found& b) { return key_of(a) == key_of(b); }),
+              found.end());
+  return found;
 }
 
 bool apart(double a, double b, double c, double d) {
   return std::max(a, b) < std::min(c, d) || std::max(c, d) < std::min(a, b);
 }
 
-// Cheaper than the exact answer, and no for most pairs.
+// Cheaper than the exact answer, and true for most pairs.
 bool boxes_apart(const Segment& s, const Segment& t) {
   return apart(s.from.x, s.to.x, t.from.x, t.to.x) || apart(s.from.y, s.to.y, t.from.y, t.to.y);
 }
 
+bool crosses(const Segment& s, const Segment& t) {
+  return !boxes_apart(s, t) && meeting(s.from, s.to, t.from, t.to) == Meeting::kProper;
+}
+
 }  // namespace
 
-std::vector<Hit> find_hits(const PathNetwork& network, const std::vector<Segment>& segments,
-                           const SegmentGrid& grid, double snap) {
+void ConflictSearch::update() {
+  ++round_;
+  find_changed_nodes();
+  find_changed_edges();
+  segments_ = network_.segments();
+  in_conflict_.assign(network_.edges.size(), 0);
+  build_grids();
+}
+
+void ConflictSearch::find_changed_nodes() {
+  const std::vector<Vec2>& nodes = network_.nodes.raw();
+  node_changed_.resize(nodes.size(), round_);
+  parallel::for_each(nodes_.size(), [&](std::size_t n) {
+    const bool joins = degree_[n] == 0 && network_.degree[n] != 0;
+    if (joins || !(nodes[n] == nodes_[n])) node_changed_[n] = round_;
+  });
+  nodes_ = nodes;
+  degree_ = network_.degree;
+}
+
+// Both lists of edges ascend by their ends.
+void ConflictSearch::find_changed_edges() {
+  const std::vector<Edge>& edges = network_.edges;
+  std::vector<std::uint64_t> keys(edges.size());
+  std::vector<std::uint32_t> changed(edges.size(), round_);
+  std::vector<std::uint32_t> now(keys_.size(), kGone);  // what each edge of the last round is
+  std::size_t old = 0;
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    keys[e] = std::uint64_t{edges[e].from.value()} << 32 | edges[e].to.value();
+    while (old < keys_.size() && keys_[old] < keys[e]) ++old;
+    if (old == keys_.size() || keys_[old] != keys[e] || in_conflict_[old] != 0) continue;
+    if (node_changed_[edges[e].from.value()] == round_ || node_changed_[edges[e].to.value()] == round_)
+      continue;
+    changed[e] = edge_changed_[old];
+    now[old] = static_cast<std::uint32_t>(e);
+  }
+  parallel::for_each(old_edges_.size(), [&](std::size_t i) {
+    if (old_edges_[i] != kGone) old_edges_[i] = now[old_edges_[i]];
+  });
+  keys_ = std::move(keys);
+  edge_changed_ = std::move(changed);
+}
+
+void ConflictSearch::build_grids() {
+  const double side = 4 * snap_;
+  young_edges_ = parallel::filter_indices(edge_changed_.size(),
+                                          [&](std::size_t e) { return edge_changed_[e] > grid_round_; });
+  if (young_edges_.size() * kMostYoung > segments_.size()) {
+    young_edges_.clear();
+    grid_round_ = round_;
+    old_segments_ = segments_;
+    old_edges_.resize(segments_.size());
+    std::iota(old_edges_.begin(), old_edges_.end(), 0U);
+    old_grid_.emplace(old_segments_, side);
+  }
+  young_segments_.clear();
+  for (const std::uint32_t e : young_edges_) young_segments_.push_back(segments_[e]);
+  young_grid_.emplace(young_segments_, side);
+}
+
+void ConflictSearch::add_hit(NodeId node, std::uint32_t edge, std::vector<Hit>& found) const {
+  const Vec2 p = network_.nodes[node];
+  const auto [a, b] = segments_[edge];
+  if (apart(a.x, b.x, p.x - snap_, p.x + snap_) || apart(a.y, b.y, p.y - snap_, p.y + snap_)) return;
+  if (network_.edges[edge].from == node || network_.edges[edge].to == node) return;
+  const double squared = squared_distance(p, a, b);
+  if (squared < snap_ * snap_) found.push_back({node, edge, squared});
+}
+
+std::vector<Hit> ConflictSearch::hits_everywhere() const {
   // By cells, so that what one node needs from memory is there for the next.
-  const std::vector<std::uint32_t> order = grid.by_cells(network.nodes.raw());
-  std::vector<Hit> hits = gather<Hit>(
+  const std::vector<std::uint32_t> order = old_grid_->by_cells(network_.nodes.raw());
+  return gather<Hit>(
       order.size(),
       [&](std::size_t begin, std::size_t end, std::vector<Hit>& found) {
         for (std::size_t i = begin; i < end; ++i) {
           const NodeId node(order[i]);
-          if (network.degree[node.value()] == 0) continue;
-          const Vec2 p = network.nodes[node];
-          const Box2 box = Box2{p, p}.grown(snap);
-          grid.visit_near(box, [&](std::uint32_t e) {
-            const auto [a, b] = segments[e];
-            if (apart(a.x, b.x, box.low.x, box.high.x) || apart(a.y, b.y, box.low.y, box.high.y)) return;
-            if (network.edges[e].from == node || network.edges[e].to == node) return;
-            const double squared = squared_distance(p, a, b);
-            if (squared < snap * snap) found.push_back({node, e, squared});
+          if (network_.degree[node.value()] == 0) continue;
+          const Vec2 p = network_.nodes[node];
+          old_grid_->visit_near(Box2{p, p}.grown(snap_), [&](std::uint32_t e) { add_hit(node, e, found); });
+        }
+      },
+      kNodesPerChunk);
+}
+
+std::vector<Hit> ConflictSearch::hits_of_young_edges() const {
+  return gather<Hit>(
+      network_.nodes.size(),
+      [&](std::size_t begin, std::size_t end, std::vector<Hit>& found) {
+        for (std::size_t n = begin; n < end; ++n) {
+          if (network_.degree[n] == 0) continue;
+          const Vec2 p = network_.nodes[NodeId(n)];
+          young_grid_->visit_near(Box2{p, p}.grown(snap_), [&](std::uint32_t i) {
+            const std::uint32_t e = young_edges_[i];
+            if (edge_changed_[e] == round_ || node_changed_[n] == round_) add_hit(NodeId(n), e, found);
           });
         }
       },
       kNodesPerChunk);
-  sort_unique(hits, [](const Hit& hit) { return std::pair(hit.node, hit.edge); });
-  return hits;
 }
 
-std::vector<Crossing> find_crossings(const std::vector<Segment>& segments, const SegmentGrid& grid) {
-  std::vector<Crossing> crossings = gather<Crossing>(
+std::vector<Hit> ConflictSearch::hits_of_changed_nodes() const {
+  return gather<Hit>(
+      network_.nodes.size(),
+      [&](std::size_t begin, std::size_t end, std::vector<Hit>& found) {
+        for (std::size_t n = begin; n < end; ++n) {
+          if (network_.degree[n] == 0 || node_changed_[n] != round_) continue;
+          const Vec2 p = network_.nodes[NodeId(n)];
+          old_grid_->visit_near(Box2{p, p}.grown(snap_), [&](std::uint32_t i) {
+            if (old_edges_[i] != kGone) add_hit(NodeId(n), old_edges_[i], found);
+          });
+        }
+      },
+      kNodesPerChunk);
+}
+
+std::vector<Hit> ConflictSearch::hits() {
+  const bool all = grid_round_ == round_;
+  std::vector<Hit> found = all ? sorted_unique(hits_everywhere())
+                               : sorted_unique(hits_of_young_edges(), hits_of_changed_nodes());
+  for (const Hit& hit : found) in_conflict_[hit.edge] = 1;
+  return found;
+}
+
+void ConflictSearch::add_crossing(std::uint32_t e, std::uint32_t f, std::vector<Crossing>& found) const {
+  if (edge_changed_[e] > crossings_round_ || edge_changed_[f] > crossings_round_)
+    found.push_back({std::min(e, f), std::max(e, f)});
+}
+
+// edge_of: the edge that each segment of the grid is, or gone.
+std::vector<Crossing> ConflictSearch::crossings_among(const SegmentGrid& grid,
+                                                      const std::vector<std::uint32_t>& edge_of) const {
+  return gather<Crossing>(
       grid.cell_count(),
       [&](std::size_t begin, std::size_t end, std::vector<Crossing>& found) {
         for (std::size_t cell = begin; cell < end; ++cell) {
           const std::span<const std::uint32_t> entries = grid.entries(cell);
           for (std::size_t i = 0; i < entries.size(); ++i) {
-            const Segment s = segments[entries[i]];
+            const std::uint32_t e = edge_of[entries[i]];
+            if (e == kGone) continue;
             for (std::size_t k = i + 1; k < entries.size(); ++k) {
-              const Segment& t = segments[entries[k]];
-              if (!boxes_apart(s, t) && meeting(s.from, s.to, t.from, t.to) == Meeting::kProper)
-                found.push_back({entries[i], entries[k]});
+              const std::uint32_t f = edge_of[entries[k]];
+              if (f != kGone && crosses(segments_[e], segments_[f])) add_crossing(e, f, found);
             }
           }
         }
       },
       kCellsPerChunk);
-  // Two that cross may share more cells than the one that holds the crossing.
-  sort_unique(crossings, [](const Crossing& crossing) { return std::pair(crossing.first, crossing.second); });
-  return crossings;
+}
+
+std::vector<Crossing> ConflictSearch::crossings_of_young_edges() const {
+  return gather<Crossing>(
+      young_edges_.size(),
+      [&](std::size_t begin, std::size_t end, std::vector<Crossing>& found) {
+        for (std::size_t i = begin; i < end; ++i) {
+          const std::uint32_t e = young_edges_[i];
+          old_grid_->visit_along(segments_[e], [&](std::uint32_t k) {
+            const std::uint32_t f = old_edges_[k];
+            if (f != kGone && crosses(segments_[e], segments_[f])) add_crossing(e, f, found);
+          });
+        }
+      },
+      kEdgesPerChunk);
+}
+
+std::vector<Crossing> ConflictSearch::crossings() {
+  std::vector<Crossing> found = crossings_among(*old_grid_, old_edges_);
+  const std::vector<Crossing> young = crossings_among(*young_grid_, young_edges_);
+  found.insert(found.end(), young.begin(), young.end());
+  found = sorted_unique(std::move(found), crossings_of_young_edges());
+  for (const Crossing& crossing : found)
+    in_conflict_[crossing.first] = in_conflict_[crossing.second] = 1;
+  crossings_round_ = round_;
+  return found;
 }
 
 }  // namespace quarry::linework

@@ -40,16 +40,16 @@ class Noder {
         snap_(snap),
         too_far_(std::min(budget, kTooFar * snap)),
         counts_(counts),
-        places_(network, std::numbers::sqrt2 * snap) {}
+        places_(network, std::numbers::sqrt2 * snap),
+        search_(network, snap) {}
 
   void run(const Progress& progress) {
     for (;;) {
       progress.throw_if_cancelled();
       network_.build_edges();
-      const std::vector<Segment> segments = network_.segments();
-      if (segments.empty()) return;
-      const SegmentGrid grid(segments, 4 * snap_);
-      const bool settled = !snap_nodes(segments, grid) && !node_crossings(segments, grid);
+      if (network_.edges.empty()) return;
+      search_.update();
+      const bool settled = !snap_nodes(search_.segments()) && !node_crossings(search_.segments());
       if (!lay_far_paths_anew({}) && settled) return;
       ++counts_.rounds;
     }
@@ -62,8 +62,8 @@ class Noder {
            (places_.ends_one_path(hit.node) && network_.degree[hit.node.value()] == 1);
   }
 
-  bool snap_nodes(const std::vector<Segment>& segments, const SegmentGrid& grid) {
-    const std::vector<Hit> hits = find_hits(network_, segments, grid, snap_);
+  bool snap_nodes(const std::vector<Segment>& segments) {
+    const std::vector<Hit> hits = search_.hits();
     if (hits.empty()) return false;
     require_rounds(network_.nodes[hits.front().node]);
     if (bending_rounds_ == 0) {
@@ -241,8 +241,8 @@ class Noder {
                     format_point(place.x, place.y), snap_));
   }
 
-  bool node_crossings(const std::vector<Segment>& segments, const SegmentGrid& grid) {
-    const std::vector<Crossing> crossings = find_crossings(segments, grid);
+  bool node_crossings(const std::vector<Segment>& segments) {
+    const std::vector<Crossing> crossings = search_.crossings();
     if (crossings.empty()) return false;
     require_rounds(segments[crossings.front().first].from);
     bending_rounds_ = kRoundsOfBending;
@@ -282,6 +282,7 @@ class Noder {
   double too_far_;
   CleanCounts& counts_;
   NodePlaces places_;
+  ConflictSearch search_;
   std::uint32_t bending_rounds_ = kRoundsOfBending;
 };
 
