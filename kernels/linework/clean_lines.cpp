@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <utility>
 
 #include <fmt/format.h>
@@ -10,6 +11,7 @@
 
 #include "engine/base/error.hpp"
 #include "engine/geometry/hilbert.hpp"
+#include "engine/parallel/parallel.hpp"
 #include "engine/parallel/sort.hpp"
 #include "kernels/linework/domain.hpp"
 #include "kernels/linework/ledger.hpp"
@@ -76,32 +78,17 @@ void note_points(const LineSet& lines, const PathNetwork& network, linework::Rea
 
 // Nodes in use, in Hilbert order.
 std::vector<NodeId> ordered_nodes(const PathNetwork& network) {
+  const std::vector<std::uint32_t> used =
+      parallel::filter_indices(network.nodes.size(), [&](std::size_t n) { return network.degree[n] != 0; });
   Box2 box;
-  std::vector<NodeId> used;
-  for (const NodeId node : IdRange<NodeId>(network.nodes.size())) {
-    if (network.degree[node.value()] == 0) continue;
-    used.push_back(node);
-    box.extend(network.nodes[node]);
-  }
-  std::vector<std::uint64_t> keys;
-  for (const NodeId node : used) keys.push_back(hilbert_key(network.nodes[node], box));
+  for (const std::uint32_t n : used) box.extend(network.nodes[NodeId(n)]);
+  std::vector<std::uint64_t> keys(used.size());
+  parallel::for_each(used.size(),
+                     [&](std::size_t i) { keys[i] = hilbert_key(network.nodes[NodeId(used[i])], box); });
   std::vector<NodeId> result;
-  for (const std::uint32_t i : parallel::sorted_order(std::move(keys))) result.push_back(used[i]);
+  result.reserve(used.size());
+  for (const std::uint32_t i : parallel::sorted_order(std::move(keys))) result.emplace_back(used[i]);
   return result;
-}
-
-// The numbers of each edge's lines, as sorted pairs.
-std::vector<std::pair<std::uint32_t, LineId>> numbers_of_edges(const PathNetwork& network) {
-  std::vector<std::pair<std::uint32_t, LineId>> pairs;
-  for (std::size_t p = 0; p < network.paths.size(); ++p) {
-    const LineId line = network.raw[network.paths[p].raw].line;
-    if (!line.valid()) continue;
-    for (std::size_t i = network.edge_begin[p]; i < network.edge_begin[p + 1]; ++i)
-      pairs.emplace_back(network.edge_of_step[i], line);
-  }
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-  return pairs;
 }
 
 NodedLines noded_lines(const PathNetwork& network) {
@@ -109,20 +96,22 @@ NodedLines noded_lines(const PathNetwork& network) {
   IdVector<NodeId, NodeId> renamed(network.nodes.size());
   for (const NodeId node : ordered_nodes(network))
     renamed[node] = result.nodes.push_back(network.nodes[node]);
-  const auto ends_of = [&](const Edge& edge) { return std::minmax(renamed[edge.from], renamed[edge.to]); };
-  std::vector<std::uint64_t> keys;
-  for (const Edge& edge : network.edges) {
-    const auto [from, to] = ends_of(edge);
-    keys.push_back(std::uint64_t{from.value()} << 32 | to.value());
-  }
-  const auto numbers = numbers_of_edges(network);
+  const auto ends_of = [&](const Edge& edge) {
+    return std::pair(std::minmax(renamed[edge.from], renamed[edge.to]));
+  };
+  std::vector<std::uint64_t> keys(network.edges.size());
+  parallel::for_each(keys.size(), [&](std::size_t e) {
+    const auto [from, to] = ends_of(network.edges[e]);
+    keys[e] = std::uint64_t{from.value()} << 32 | to.value();
+  });
+  const linework::LinesAt lines = linework::lines_on_edges(network);
   result.line_begin.push_back(0);
   for (const std::uint32_t e : parallel::sorted_order(std::move(keys))) {
     const auto [from, to] = ends_of(network.edges[e]);
     result.pieces.push_back(
         {from, to, network.edges[e].outline ? PieceKindOf::kOutline : PieceKindOf::kInterior});
-    auto at = std::lower_bound(numbers.begin(), numbers.end(), std::pair(e, LineId(0U)));
-    for (; at != numbers.end() && at->first == e; ++at) result.line_numbers.push_back(at->second);
+    const std::span<const LineId> numbers = lines.at(e);
+    result.line_numbers.insert(result.line_numbers.end(), numbers.begin(), numbers.end());
     result.line_begin.push_back(static_cast<std::uint32_t>(result.line_numbers.size()));
   }
   return result;

@@ -26,8 +26,7 @@ std::pair<std::uint32_t, std::uint32_t> key_of(const Crossing& crossing) {
 template <class Found>
 std::vector<Found> sorted_unique(std::vector<Found> found, const std::vector<Found>& more = {}) {
   found.insert(found.end(), more.begin(), more.end());
-  std::sort(found.begin(), found.end(),
-            [](const Found& a, const Found& b) { return key_of(a) < key_of(b); });
+  std::sort(found.begin(), found.end(), [](const Found& a, const Found& b) { return key_of(a) < key_of(b); });
   found.erase(std::unique(found.begin(), found.end(),
                           [](const Found& a, const Found& b) { return key_of(a) == key_of(b); }),
               found.end());
@@ -167,8 +166,8 @@ std::vector<Hit> ConflictSearch::hits_of_changed_nodes() const {
 
 std::vector<Hit> ConflictSearch::hits() {
   const bool all = grid_round_ == round_;
-  std::vector<Hit> found = all ? sorted_unique(hits_everywhere())
-                               : sorted_unique(hits_of_young_edges(), hits_of_changed_nodes());
+  std::vector<Hit> found =
+      all ? sorted_unique(hits_everywhere()) : sorted_unique(hits_of_young_edges(), hits_of_changed_nodes());
   for (const Hit& hit : found) in_conflict_[hit.edge] = 1;
   return found;
 }
@@ -219,8 +218,7 @@ std::vector<Crossing> ConflictSearch::crossings() {
   const std::vector<Crossing> young = crossings_among(*young_grid_, young_edges_);
   found.insert(found.end(), young.begin(), young.end());
   found = sorted_unique(std::move(found), crossings_of_young_edges());
-  for (const Crossing& crossing : found)
-    in_conflict_[crossing.first] = in_conflict_[crossing.second] = 1;
+  for (const Crossing& crossing : found) in_conflict_[crossing.first] = in_conflict_[crossing.second] = 1;
   crossings_round_ = round_;
   return found;
 }

@@ -43,7 +43,7 @@ class NodePlaces {
   NodeBuckets buckets_;
   std::vector<std::uint32_t> end_of_one_;  // how many paths end at the node; 0 once it has moved
   std::vector<std::uint8_t> on_outline_;
-  bool merged_ = false;                    // since begin_merging()
+  bool merged_ = false;                  // since begin_merging()
   IdVector<NodeId, NodeId> substitute_;  // a node that merges into another: that other
 };
 

@@ -121,12 +121,12 @@ class Noder {
   // The paths of which holds(path number, scratch) is true, ascending.
   template <class Holds>
   std::vector<std::uint32_t> paths_where(Holds&& holds) const {
-    return gather<std::uint32_t>(
-        network_.paths.size(), [&](std::size_t begin, std::size_t end, std::vector<std::uint32_t>& found) {
-          std::vector<std::uint8_t> scratch;
-          for (std::size_t p = begin; p < end; ++p)
-            if (holds(p, scratch)) found.push_back(static_cast<std::uint32_t>(p));
-        });
+    return gather<std::uint32_t>(network_.paths.size(),
+                                 [&](std::size_t begin, std::size_t end, std::vector<std::uint32_t>& found) {
+                                   std::vector<std::uint8_t> scratch;
+                                   for (std::size_t p = begin; p < end; ++p)
+                                     if (holds(p, scratch)) found.push_back(static_cast<std::uint32_t>(p));
+                                 });
   }
 
   double deviation_of(const Path& path, std::size_t i) const {

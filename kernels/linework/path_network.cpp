@@ -1,6 +1,7 @@
 #include "kernels/linework/path_network.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <tuple>
 
 #include "engine/parallel/parallel.hpp"
@@ -15,38 +16,55 @@ constexpr std::size_t kPathsPerChunk = 512;
 }  // namespace
 
 void PathNetwork::build_edges() {
-  std::vector<std::uint64_t> keys;
-  std::vector<bool> outline_steps;
-  edge_begin.assign(1, 0);
-  for (const Path& path : paths) {
-    for (std::size_t i = 0; i + 1 < path.steps.size(); ++i) {
-      const auto [low, high] = std::minmax(path.steps[i].node, path.steps[i + 1].node);
-      keys.push_back(std::uint64_t{low.value()} << 32 | high.value());
-      outline_steps.push_back(path.outline);
+  edge_begin.assign(paths.size() + 1, 0);
+  parallel::for_each(paths.size(), [&](std::size_t p) {
+    edge_begin[p] = paths[p].steps.empty() ? 0 : paths[p].steps.size() - 1;
+  });
+  const std::size_t count = parallel::exclusive_scan(std::span(edge_begin));
+  std::vector<std::uint64_t> keys(count);
+  std::vector<std::uint8_t> outline_steps(count);
+  parallel::for_each(
+      paths.size(),
+      [&](std::size_t p) {
+        const Path& path = paths[p];
+        for (std::size_t i = 0; i + 1 < path.steps.size(); ++i) {
+          const auto [low, high] = std::minmax(path.steps[i].node, path.steps[i + 1].node);
+          keys[edge_begin[p] + i] = std::uint64_t{low.value()} << 32 | high.value();
+          outline_steps[edge_begin[p] + i] = path.outline ? 1 : 0;
+        }
+      },
+      kPathsPerChunk);
+  std::vector<std::uint32_t> order(count);
+  std::iota(order.begin(), order.end(), 0U);
+  parallel::stable_sort_by_key(keys, order);
+  // Where the steps that take one edge begin.
+  const std::vector<std::uint32_t> first =
+      parallel::filter_indices(count, [&](std::size_t i) { return i == 0 || keys[i] != keys[i - 1]; });
+  edges.assign(first.size(), Edge());
+  edge_of_step.assign(count, 0);
+  parallel::for_each(first.size(), [&](std::size_t e) {
+    const std::uint64_t key = keys[first[e]];
+    Edge& edge = edges[e];
+    edge.from = NodeId(static_cast<std::uint32_t>(key >> 32));
+    edge.to = NodeId(static_cast<std::uint32_t>(key));
+    const std::size_t end = e + 1 < first.size() ? first[e + 1] : count;
+    for (std::size_t i = first[e]; i < end; ++i) {
+      edge.outline = edge.outline || outline_steps[order[i]] != 0;
+      edge_of_step[order[i]] = static_cast<std::uint32_t>(e);
     }
-    edge_begin.push_back(keys.size());
-  }
-  const std::vector<std::uint32_t> order = parallel::sorted_order(keys);
-  edges.clear();
-  edge_of_step.assign(keys.size(), 0);
+  });
   degree.assign(nodes.size(), 0);
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const std::uint64_t key = keys[order[i]];
-    if (i == 0 || key != keys[order[i - 1]]) {
-      edges.push_back(
-          {NodeId(static_cast<std::uint32_t>(key >> 32)), NodeId(static_cast<std::uint32_t>(key))});
-      ++degree[edges.back().from.value()];
-      ++degree[edges.back().to.value()];
-    }
-    if (outline_steps[order[i]]) edges.back().outline = true;
-    edge_of_step[order[i]] = static_cast<std::uint32_t>(edges.size() - 1);
+  for (const Edge& edge : edges) {
+    ++degree[edge.from.value()];
+    ++degree[edge.to.value()];
   }
 }
 
 std::vector<Segment> PathNetwork::segments() const {
-  std::vector<Segment> result;
-  result.reserve(edges.size());
-  for (const Edge& edge : edges) result.push_back({nodes[edge.from], nodes[edge.to]});
+  std::vector<Segment> result(edges.size());
+  parallel::for_each(edges.size(), [&](std::size_t e) {
+    result[e] = {nodes[edges[e].from], nodes[edges[e].to]};
+  });
   return result;
 }
 

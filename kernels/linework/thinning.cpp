@@ -12,6 +12,7 @@
 #include "engine/geometry/grid.hpp"
 #include "engine/geometry/predicates.hpp"
 #include "engine/geometry/segment.hpp"
+#include "kernels/linework/gather.hpp"
 #include "kernels/linework/linked_paths.hpp"
 
 namespace quarry::linework {
@@ -53,6 +54,8 @@ class Thinner {
       return std::tuple(a.cost, a.stretch, a.node) > std::tuple(b.cost, b.stretch, b.node);
     }
   };
+
+  using Queue = std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>>;
 
   // A bend: two neighbours, passed by every path from one to the other.
   [[nodiscard]] std::optional<std::array<NodeId, 2>> neighbours_of_bend(NodeId node) const {
@@ -148,18 +151,32 @@ class Thinner {
     return smallest_angle_at(center, others) < std::min(was, limit);
   }
 
-  void push(NodeId node) {
-    const auto ends = neighbours_of_bend(node);
-    ++version_[node.value()];
-    if (!ends) return;
+  // If the node is a bend that may go.
+  [[nodiscard]] std::optional<Candidate> candidate(NodeId node) const {
+    if (!neighbours_of_bend(node)) return std::nullopt;
     const Joined joined = join_at(node, options_.tolerance);
-    if (!joined.allowed) return;
+    if (!joined.allowed) return std::nullopt;
     const double cost = std::max(joined.deviation, options_.tolerance / 16);
-    queue_.push({cost, joined.stretch, node, version_[node.value()]});
+    return Candidate{cost, joined.stretch, node, version_[node.value()]};
+  }
+
+  void push(NodeId node) {
+    ++version_[node.value()];
+    if (const auto bend = candidate(node)) queue_.push(*bend);
+  }
+
+  void push_all() {
+    for (std::uint32_t& version : version_) ++version;
+    queue_ = Queue(std::greater<>(),
+                   gather<Candidate>(network_.nodes.size(),
+                                     [&](std::size_t begin, std::size_t end, std::vector<Candidate>& found) {
+                                       for (std::size_t n = begin; n < end; ++n)
+                                         if (const auto bend = candidate(NodeId(n))) found.push_back(*bend);
+                                     }));
   }
 
   void simplify() {
-    for (const NodeId node : IdRange<NodeId>(network_.nodes.size())) push(node);
+    push_all();
     while (!queue_.empty()) {
       const Candidate next = queue_.top();
       queue_.pop();
@@ -292,7 +309,7 @@ class Thinner {
   LinkedPaths links_;
   PointGrid grid_;
   std::vector<std::uint32_t> version_;
-  std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> queue_;
+  Queue queue_;
   mutable std::vector<std::uint32_t> near_;
 };
 
