@@ -20,10 +20,11 @@ constexpr std::size_t kCellsPerItem = 4;
 std::vector<std::uint32_t> sort_into_cells(std::size_t cell_count, std::vector<std::uint64_t> cells,
                                            std::vector<std::uint32_t>& ids) {
   parallel::stable_sort_by_key(cells, ids);
-  std::vector<std::uint32_t> begin(cell_count + 1);
-  parallel::for_each(cell_count + 1, [&](std::size_t cell) {
-    const auto first = std::lower_bound(cells.begin(), cells.end(), cell);
-    begin[cell] = static_cast<std::uint32_t>(first - cells.begin());
+  std::vector<std::uint32_t> begin(cell_count + 1, static_cast<std::uint32_t>(cells.size()));
+  // Each entry that is the first of its cell begins that, and the empty ones before it.
+  parallel::for_each(cells.size(), [&](std::size_t i) {
+    const std::size_t after_last = i == 0 ? 0 : cells[i - 1] + 1;
+    for (std::size_t cell = after_last; cell <= cells[i]; ++cell) begin[cell] = static_cast<std::uint32_t>(i);
   });
   return begin;
 }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/geometry/segment.hpp"
+#include "engine/parallel/sort.hpp"
 #include "kernels/linework/gather.hpp"
 
 namespace quarry::linework {
@@ -17,20 +18,19 @@ constexpr std::size_t kCellsPerChunk = 4096;
 // Above this share of young edges the grid of all of them is built anew.
 constexpr std::size_t kMostYoung = 4;  // one in so many
 
-std::pair<NodeId, std::uint32_t> key_of(const Hit& hit) { return {hit.node, hit.edge}; }
-std::pair<std::uint32_t, std::uint32_t> key_of(const Crossing& crossing) {
-  return {crossing.first, crossing.second};
-}
+std::uint64_t key_of(const Hit& hit) { return std::uint64_t{hit.node.value()} << 32 | hit.edge; }
+std::uint64_t key_of(const Crossing& crossing) { return std::uint64_t{crossing.first} << 32 | crossing.second; }
 
 // One that shares several cells is found in each of them.
 template <class Found>
 std::vector<Found> sorted_unique(std::vector<Found> found, const std::vector<Found>& more = {}) {
   found.insert(found.end(), more.begin(), more.end());
-  std::sort(found.begin(), found.end(), [](const Found& a, const Found& b) { return key_of(a) < key_of(b); });
-  found.erase(std::unique(found.begin(), found.end(),
-                          [](const Found& a, const Found& b) { return key_of(a) == key_of(b); }),
-              found.end());
-  return found;
+  std::vector<std::uint64_t> keys(found.size());
+  for (std::size_t i = 0; i < keys.size(); ++i) keys[i] = key_of(found[i]);
+  std::vector<Found> result;
+  for (const std::uint32_t i : parallel::sorted_order(std::move(keys)))
+    if (result.empty() || key_of(found[i]) != key_of(result.back())) result.push_back(found[i]);
+  return result;
 }
 
 bool apart(double a, double b, double c, double d) {
@@ -112,7 +112,7 @@ void ConflictSearch::add_hit(NodeId node, std::uint32_t edge, std::vector<Hit>& 
   const Vec2 p = network_.nodes[node];
   const auto [a, b] = segments_[edge];
   if (apart(a.x, b.x, p.x - snap_, p.x + snap_) || apart(a.y, b.y, p.y - snap_, p.y + snap_)) return;
-  if (network_.edges[edge].from == node || network_.edges[edge].to == node) return;
+  if (p == a || p == b) return;  // it ends here: nodes are apart, so that none has another's place
   const double squared = squared_distance(p, a, b);
   if (squared < snap_ * snap_) found.push_back({node, edge, squared});
 }
@@ -173,12 +173,14 @@ std::vector<Hit> ConflictSearch::hits() {
 }
 
 void ConflictSearch::add_crossing(std::uint32_t e, std::uint32_t f, std::vector<Crossing>& found) const {
+  if (e == kGone || f == kGone) return;
   if (edge_changed_[e] > crossings_round_ || edge_changed_[f] > crossings_round_)
     found.push_back({std::min(e, f), std::max(e, f)});
 }
 
-// edge_of: the edge that each segment of the grid is, or gone.
+// grid: of these segments; edge_of: the edge that each of them is, or gone.
 std::vector<Crossing> ConflictSearch::crossings_among(const SegmentGrid& grid,
+                                                      const std::vector<Segment>& segments,
                                                       const std::vector<std::uint32_t>& edge_of) const {
   return gather<Crossing>(
       grid.cell_count(),
@@ -186,12 +188,10 @@ std::vector<Crossing> ConflictSearch::crossings_among(const SegmentGrid& grid,
         for (std::size_t cell = begin; cell < end; ++cell) {
           const std::span<const std::uint32_t> entries = grid.entries(cell);
           for (std::size_t i = 0; i < entries.size(); ++i) {
-            const std::uint32_t e = edge_of[entries[i]];
-            if (e == kGone) continue;
-            for (std::size_t k = i + 1; k < entries.size(); ++k) {
-              const std::uint32_t f = edge_of[entries[k]];
-              if (f != kGone && crosses(segments_[e], segments_[f])) add_crossing(e, f, found);
-            }
+            const Segment& s = segments[entries[i]];
+            for (std::size_t k = i + 1; k < entries.size(); ++k)
+              if (crosses(s, segments[entries[k]]))
+                add_crossing(edge_of[entries[i]], edge_of[entries[k]], found);
           }
         }
       },
@@ -205,8 +205,7 @@ std::vector<Crossing> ConflictSearch::crossings_of_young_edges() const {
         for (std::size_t i = begin; i < end; ++i) {
           const std::uint32_t e = young_edges_[i];
           old_grid_->visit_along(segments_[e], [&](std::uint32_t k) {
-            const std::uint32_t f = old_edges_[k];
-            if (f != kGone && crosses(segments_[e], segments_[f])) add_crossing(e, f, found);
+            if (crosses(segments_[e], old_segments_[k])) add_crossing(e, old_edges_[k], found);
           });
         }
       },
@@ -214,8 +213,8 @@ std::vector<Crossing> ConflictSearch::crossings_of_young_edges() const {
 }
 
 std::vector<Crossing> ConflictSearch::crossings() {
-  std::vector<Crossing> found = crossings_among(*old_grid_, old_edges_);
-  const std::vector<Crossing> young = crossings_among(*young_grid_, young_edges_);
+  std::vector<Crossing> found = crossings_among(*old_grid_, old_segments_, old_edges_);
+  const std::vector<Crossing> young = crossings_among(*young_grid_, young_segments_, young_edges_);
   found.insert(found.end(), young.begin(), young.end());
   found = sorted_unique(std::move(found), crossings_of_young_edges());
   for (const Crossing& crossing : found) in_conflict_[crossing.first] = in_conflict_[crossing.second] = 1;

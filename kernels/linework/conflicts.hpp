@@ -51,6 +51,7 @@ class ConflictSearch {
   void add_hit(NodeId node, std::uint32_t edge, std::vector<Hit>& found) const;
   void add_crossing(std::uint32_t e, std::uint32_t f, std::vector<Crossing>& found) const;
   [[nodiscard]] std::vector<Crossing> crossings_among(const SegmentGrid& grid,
+                                                      const std::vector<Segment>& segments,
                                                       const std::vector<std::uint32_t>& edge_of) const;
   [[nodiscard]] std::vector<Crossing> crossings_of_young_edges() const;
 

@@ -122,6 +122,7 @@ std::vector<double> clip_to_domain(PathNetwork& network, const std::vector<EdgeP
     const RawLine& raw = network.raw[path.raw];
     Path run;
     run.raw = path.raw;
+    run.steps.reserve(path.steps.size());
     for (std::size_t i = 0; i + 1 < path.steps.size(); ++i) {
       const EdgePlace place = places[network.edge_of_step[network.edge_begin[p] + i]];
       const bool boundary = path.outline && place == EdgePlace::kBoundary;

@@ -10,8 +10,10 @@
 
 #include "engine/base/error.hpp"
 #include "engine/geometry/segment.hpp"
+#include "engine/parallel/parallel.hpp"
 #include "kernels/linework/conflicts.hpp"
 #include "kernels/linework/gather.hpp"
+#include "kernels/linework/lonely_points.hpp"
 #include "kernels/linework/nearest_course.hpp"
 #include "kernels/linework/node_buckets.hpp"
 #include "kernels/linework/node_places.hpp"
@@ -32,6 +34,9 @@ constexpr double kDrift = 1.75;
 constexpr double kTooFar = 3;
 // Spacing of the samples of a raw line when it is laid, in snapping distances.
 constexpr double kSampling = 0.25;
+
+constexpr std::size_t kCheckedPerChunk = 256;
+constexpr std::size_t kCrossingsPerChunk = 512;
 
 class Noder {
  public:
@@ -94,6 +99,7 @@ class Noder {
     const auto mark = [&](std::size_t p, std::vector<std::uint8_t>& marked) {
       return mark_far_edges(p, stuck_edges, marked);
     };
+    check_paths();
     bool changed = false;
     std::vector<std::uint8_t> marked;
     // Laying one anew changes no other.
@@ -102,17 +108,33 @@ class Noder {
     return changed;
   }
 
+  // Most paths stay as they are from one round to the next, and need not be measured again.
+  void check_paths() {
+    parallel::for_each(
+        network_.paths.size(),
+        [&](std::size_t p) {
+          Path& path = network_.paths[p];
+          if (path.checked) return;
+          const double limit = std::min(too_far_, kDrift * snap_);
+          path.checked = true;
+          for (std::size_t i = 0; i + 1 < path.steps.size() && path.checked; ++i)
+            path.checked = deviation_of(path, i) <= limit;
+        },
+        kCheckedPerChunk);
+  }
+
   // Marks the edges of a path that are to be laid anew; whether there are any.
   bool mark_far_edges(std::size_t p, const std::vector<std::uint8_t>& stuck_edges,
                       std::vector<std::uint8_t>& marked) const {
     const Path& path = network_.paths[p];
     if (network_.raw[path.raw].rigid || path.steps.size() < 2) return false;
+    if (path.checked && stuck_edges.empty()) return false;
     marked.assign(path.steps.size() - 1, 0);
     bool any = false;
     for (std::size_t i = 0; i < marked.size(); ++i) {
       const bool is_stuck =
           !stuck_edges.empty() && stuck_edges[network_.edge_of_step[network_.edge_begin[p] + i]] != 0;
-      marked[i] = is_stuck || deviation_of(path, i) > too_far_ ? 1 : 0;
+      marked[i] = is_stuck || (!path.checked && deviation_of(path, i) > too_far_) ? 1 : 0;
       any = any || marked[i] != 0;
     }
     return any;
@@ -156,6 +178,7 @@ class Noder {
     }
     for (; next < path.steps.size(); ++next) steps.push_back(path.steps[next]);
     path.steps = std::move(steps);
+    path.checked = false;
     network_.drop_repeated_steps(path);
     const bool changed = !std::equal(before.begin(), before.end(), path.steps.begin(), path.steps.end(),
                                      [](const PathStep& a, const PathStep& b) { return a.node == b.node; });
@@ -169,7 +192,7 @@ class Noder {
   void anchor_drifting_paths() {
     const auto drifts = [&](std::size_t p, std::vector<std::uint8_t>&) {
       const Path& path = network_.paths[p];
-      if (network_.raw[path.raw].rigid) return false;
+      if (network_.raw[path.raw].rigid || path.checked) return false;
       for (std::size_t i = 0; i + 1 < path.steps.size(); ++i)
         if (is_between(path, i, anchor(path, i))) return true;
       return false;
@@ -185,6 +208,7 @@ class Noder {
       const Vec2 place = raw_point(network_.raw[path.raw].points, at);
       if (places_.nearest(place).valid()) continue;
       const NodeId node = places_.add(place, path.outline);
+      path.checked = false;
       path.steps.insert(path.steps.begin() + static_cast<std::ptrdiff_t>(i) + 1, {node, at});
       ++counts_.anchors;
     }
@@ -247,34 +271,69 @@ class Noder {
     require_rounds(segments[crossings.front().first].from);
     bending_rounds_ = kRoundsOfBending;
     places_.begin_merging();
-    std::vector<Insertion> insertions;
-    for (const Crossing& crossing : crossings) {
-      const NodeId node = node_of_crossing(crossing, segments);
-      for (const std::uint32_t e : {crossing.first, crossing.second})
-        if (network_.edges[e].from != node && network_.edges[e].to != node)
-          insertions.push_back(insertion_of(node, e, segments));
+    std::vector<Vec2> points(crossings.size());
+    parallel::for_each(
+        points.size(), [&](std::size_t i) { points[i] = point_of(crossings[i], segments); }, kCrossingsPerChunk);
+    std::vector<std::uint8_t> lonely = lonely_points(points, places_.apart());
+    parallel::for_each(
+        points.size(), [&](std::size_t i) { lonely[i] = lonely[i] != 0 && !places_.nearest(points[i]).valid(); },
+        kCrossingsPerChunk);
+    // Nodes are made and joined one after the other; where nothing is near, that is all.
+    std::vector<NodeId> nodes(crossings.size());
+    std::vector<Insertion> insertions(2 * crossings.size());
+    for (std::size_t i = 0; i < crossings.size(); ++i) {
+      nodes[i] = lonely[i] != 0 ? add_crossing(crossings[i], points[i])
+                                : node_of_crossing(crossings[i], points[i]);
+      // Before another crossing moves the node.
+      if (lonely[i] == 0) set_insertions(crossings[i], nodes[i], segments, &insertions[2 * i]);
     }
+    parallel::for_each(
+        points.size(),
+        [&](std::size_t i) {
+          if (lonely[i] != 0) set_insertions(crossings[i], nodes[i], segments, &insertions[2 * i]);
+        },
+        kCrossingsPerChunk);
+    std::erase_if(insertions, [](const Insertion& insertion) { return !insertion.node.valid(); });
     network_.insert(insertions);
     places_.finish_merging();
     return true;
   }
 
-  // An existing node near the crossing, or a new one.
-  NodeId node_of_crossing(const Crossing& crossing, const std::vector<Segment>& segments) {
+  // Two: for both edges, without a node for one that it ends already.
+  void set_insertions(const Crossing& crossing, NodeId node, const std::vector<Segment>& segments,
+                      Insertion* two) const {
+    for (const std::uint32_t e : {crossing.first, crossing.second}) {
+      const bool ends = network_.edges[e].from == node || network_.edges[e].to == node;
+      *two++ = ends ? Insertion{e, 0, NodeId()} : insertion_of(node, e, segments);
+    }
+  }
+
+  // Where two edges cross: on the one that is of the outline, if one is.
+  Vec2 point_of(const Crossing& crossing, const std::vector<Segment>& segments) const {
     const Segment first = segments[crossing.first];
     const Segment second = segments[crossing.second];
-    Vec2 x = crossing_point(first.from, first.to, second.from, second.to);
-    const bool first_outline = network_.edges[crossing.first].outline;
-    const bool second_outline = network_.edges[crossing.second].outline;
-    if (first_outline) x = closest_point(x, first.from, first.to);
-    if (!first_outline && second_outline) x = closest_point(x, second.from, second.to);
-    const NodeId near = places_.nearest(x);
-    const bool outline = first_outline || second_outline;
-    if (near.valid() && (!outline || places_.on_outline(near))) return near;
-    // Rather the node onto the outline than the outline through the node.
-    if (near.valid()) return places_.put_on_outline(near, x);
+    const Vec2 x = crossing_point(first.from, first.to, second.from, second.to);
+    if (network_.edges[crossing.first].outline) return closest_point(x, first.from, first.to);
+    if (network_.edges[crossing.second].outline) return closest_point(x, second.from, second.to);
+    return x;
+  }
+
+  bool crosses_outline(const Crossing& crossing) const {
+    return network_.edges[crossing.first].outline || network_.edges[crossing.second].outline;
+  }
+
+  NodeId add_crossing(const Crossing& crossing, Vec2 x) {
     ++counts_.crossings;
-    return places_.add(x, outline);
+    return places_.add(x, crosses_outline(crossing));
+  }
+
+  // An existing node near the crossing, or a new one.
+  NodeId node_of_crossing(const Crossing& crossing, Vec2 x) {
+    const NodeId near = places_.nearest(x);
+    if (!near.valid()) return add_crossing(crossing, x);
+    if (!crosses_outline(crossing) || places_.on_outline(near)) return near;
+    // Rather the node onto the outline than the outline through the node.
+    return places_.put_on_outline(near, x);
   }
 
   PathNetwork& network_;
@@ -301,7 +360,7 @@ class Clustering {
   }
 
   PathNetwork run() {
-    find_lonely();
+    lonely_ = lonely_points(points_, apart_);
     for (std::size_t r = 0; r < network_.raw.size(); ++r)
       if (network_.raw[r].outline)
         for (std::size_t i = begin_[r]; i < begin_[r + 1]; ++i) (void)node_at(i);
@@ -328,23 +387,6 @@ class Clustering {
     for (const RawLine& line : raw)
       if (!line.points.empty()) origin = line.points.front();
     return origin;
-  }
-
-  void find_lonely() {
-    const PointGrid grid(points_, 4 * apart_);
-    const std::span<const std::uint32_t> order = grid.by_cells();
-    lonely_.assign(points_.size(), 0);
-    parallel::for_each(
-        order.size(),
-        [&](std::size_t k) {
-          const Vec2 p = points_[order[k]];
-          std::size_t near = 0;
-          grid.visit_near(Box2{p, p}.grown(apart_), [&](std::uint32_t other) {
-            if (squared_length(points_[other] - p) < apart_ * apart_) ++near;
-          });
-          lonely_[order[k]] = near == 1 ? 1 : 0;
-        },
-        1024);
   }
 
   NodeId node_at(std::size_t i) {

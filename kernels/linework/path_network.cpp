@@ -71,10 +71,13 @@ std::vector<Segment> PathNetwork::segments() const {
 void PathNetwork::insert(std::vector<Insertion>& insertions) {
   if (insertions.empty()) return;
   const std::vector<std::size_t> begin = sort_by_edge(insertions);
+  // Bytes, which fit the cache: nearly all that most paths need to know.
+  std::vector<std::uint8_t> has_any(edges.size(), 0);
+  for (const Insertion& insertion : insertions) has_any[insertion.edge] = 1;
   parallel::for_each_chunk(paths.size(), kPathsPerChunk, [&](std::size_t first, std::size_t last) {
     std::vector<PathStep> steps;
     for (std::size_t p = first; p < last; ++p)
-      if (takes_any(p, begin)) insert_into(p, insertions, begin, steps);
+      if (takes_any(p, has_any)) insert_into(p, insertions, begin, steps);
   });
 }
 
@@ -98,9 +101,9 @@ std::vector<std::size_t> PathNetwork::sort_by_edge(std::vector<Insertion>& inser
   return begin;
 }
 
-bool PathNetwork::takes_any(std::size_t p, const std::vector<std::size_t>& begin) const {
+bool PathNetwork::takes_any(std::size_t p, const std::vector<std::uint8_t>& flags) const {
   for (std::size_t i = edge_begin[p]; i < edge_begin[p + 1]; ++i)
-    if (begin[edge_of_step[i]] != begin[edge_of_step[i] + 1]) return true;
+    if (flags[edge_of_step[i]] != 0) return true;
   return false;
 }
 
@@ -122,6 +125,7 @@ void PathNetwork::insert_into(std::size_t p, const std::vector<Insertion>& inser
   }
   steps.push_back(path.steps.back());
   path.steps = steps;
+  path.checked = false;
   drop_repeated_steps(path);
 }
 
@@ -134,7 +138,22 @@ void PathNetwork::substitute(const IdVector<NodeId, NodeId>& substitute) {
           touched = touched || substitute[step.node] != step.node;
           step.node = substitute[step.node];
         }
-        if (touched) drop_repeated_steps(paths[p]);
+        if (!touched) return;
+        paths[p].checked = false;
+        drop_repeated_steps(paths[p]);
+      },
+      kPathsPerChunk);
+}
+
+void PathNetwork::uncheck_paths_through(const std::vector<NodeId>& moved) {
+  if (moved.empty()) return;
+  std::vector<std::uint8_t> has_moved(nodes.size(), 0);
+  for (const NodeId node : moved) has_moved[node.value()] = 1;
+  parallel::for_each(
+      paths.size(),
+      [&](std::size_t p) {
+        for (const PathStep& step : paths[p].steps)
+          if (has_moved[step.node.value()] != 0) paths[p].checked = false;
       },
       kPathsPerChunk);
 }

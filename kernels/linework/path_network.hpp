@@ -29,6 +29,8 @@ struct PathStep {
 struct Path {
   std::uint32_t raw = 0;
   bool outline = false;
+  // Its edges were found to be near their stretches, and neither they nor their nodes changed since.
+  bool checked = false;
   std::vector<PathStep> steps;
 };
 
@@ -65,14 +67,16 @@ struct PathNetwork {
   void insert(std::vector<Insertion>& insertions);
   // Replaces each node by substitute[node] and drops steps that stay where they are.
   void substitute(const IdVector<NodeId, NodeId>& substitute);
+  // Takes back that paths through any of these nodes were checked.
+  void uncheck_paths_through(const std::vector<NodeId>& moved);
   void drop_repeated_steps();
   void drop_repeated_steps(Path& path) const;
 
  private:
   std::vector<std::size_t> sort_by_edge(std::vector<Insertion>& insertions) const;
-  // begin: where the insertions of each edge begin. Whether path p takes an edge that has any.
-  [[nodiscard]] bool takes_any(std::size_t p, const std::vector<std::size_t>& begin) const;
-  // steps: scratch.
+  // Whether path p takes an edge with a flag.
+  [[nodiscard]] bool takes_any(std::size_t p, const std::vector<std::uint8_t>& flags) const;
+  // begin: where the insertions of each edge begin; steps: scratch.
   void insert_into(std::size_t p, const std::vector<Insertion>& insertions,
                    const std::vector<std::size_t>& begin, std::vector<PathStep>& steps);
 };
