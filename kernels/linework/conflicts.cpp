@@ -1,7 +1,6 @@
 #include "kernels/linework/conflicts.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <span>
 #include <utility>
 
@@ -15,11 +14,15 @@ namespace {
 constexpr std::size_t kNodesPerChunk = 1024;
 constexpr std::size_t kEdgesPerChunk = 256;
 constexpr std::size_t kCellsPerChunk = 4096;
+// In snapping distances: the side of the squares in which edges are put together in memory.
+constexpr double kPlaceSide = 64;
 // Above this share of young edges the grid of all of them is built anew.
 constexpr std::size_t kMostYoung = 4;  // one in so many
 
 std::uint64_t key_of(const Hit& hit) { return std::uint64_t{hit.node.value()} << 32 | hit.edge; }
-std::uint64_t key_of(const Crossing& crossing) { return std::uint64_t{crossing.first} << 32 | crossing.second; }
+std::uint64_t key_of(const Crossing& crossing) {
+  return std::uint64_t{crossing.first} << 32 | crossing.second;
+}
 
 // One that shares several cells is found in each of them.
 template <class Found>
@@ -52,7 +55,6 @@ void ConflictSearch::update() {
   ++round_;
   find_changed_nodes();
   find_changed_edges();
-  segments_ = network_.segments();
   in_conflict_.assign(network_.edges.size(), 0);
   build_grids();
 }
@@ -74,13 +76,18 @@ void ConflictSearch::find_changed_edges() {
   std::vector<std::uint64_t> keys(edges.size());
   std::vector<std::uint32_t> changed(edges.size(), round_);
   std::vector<std::uint32_t> now(keys_.size(), kGone);  // what each edge of the last round is
+  std::vector<Segment> segments(edges.size());
   std::size_t old = 0;
   for (std::size_t e = 0; e < edges.size(); ++e) {
     keys[e] = std::uint64_t{edges[e].from.value()} << 32 | edges[e].to.value();
     while (old < keys_.size() && keys_[old] < keys[e]) ++old;
-    if (old == keys_.size() || keys_[old] != keys[e] || in_conflict_[old] != 0) continue;
-    if (node_changed_[edges[e].from.value()] == round_ || node_changed_[edges[e].to.value()] == round_)
-      continue;
+    const bool was_there = old < keys_.size() && keys_[old] == keys[e];
+    const bool moved =
+        node_changed_[edges[e].from.value()] == round_ || node_changed_[edges[e].to.value()] == round_;
+    // What lies in a row already need not be gathered from the nodes again.
+    segments[e] = was_there && !moved ? segments_[old]
+                                      : Segment{network_.nodes[edges[e].from], network_.nodes[edges[e].to]};
+    if (!was_there || moved || in_conflict_[old] != 0) continue;
     changed[e] = edge_changed_[old];
     now[old] = static_cast<std::uint32_t>(e);
   }
@@ -88,6 +95,7 @@ void ConflictSearch::find_changed_edges() {
     if (old_edges_[i] != kGone) old_edges_[i] = now[old_edges_[i]];
   });
   keys_ = std::move(keys);
+  segments_ = std::move(segments);
   edge_changed_ = std::move(changed);
 }
 
@@ -98,23 +106,38 @@ void ConflictSearch::build_grids() {
   if (young_edges_.size() * kMostYoung > segments_.size()) {
     young_edges_.clear();
     grid_round_ = round_;
-    old_segments_ = segments_;
-    old_edges_.resize(segments_.size());
-    std::iota(old_edges_.begin(), old_edges_.end(), 0U);
+    old_edges_ = edges_by_place();
+    old_segments_ = segments_of(old_edges_);
     old_grid_.emplace(old_segments_, side);
   }
-  young_segments_.clear();
-  for (const std::uint32_t e : young_edges_) young_segments_.push_back(segments_[e]);
+  young_segments_ = segments_of(young_edges_);
   young_grid_.emplace(young_segments_, side);
 }
 
-void ConflictSearch::add_hit(NodeId node, std::uint32_t edge, std::vector<Hit>& found) const {
+// All edges, those that begin near one another together: edges are numbered as lines were read, and what is
+// looked at together should lie together in memory.
+std::vector<std::uint32_t> ConflictSearch::edges_by_place() const {
+  std::vector<Vec2> begins(segments_.size());
+  parallel::for_each(begins.size(), [&](std::size_t e) { begins[e] = segments_[e].from; });
+  const PointGrid grid(begins, kPlaceSide * snap_);
+  return {grid.by_cells().begin(), grid.by_cells().end()};
+}
+
+std::vector<Segment> ConflictSearch::segments_of(const std::vector<std::uint32_t>& edges) const {
+  std::vector<Segment> result(edges.size());
+  parallel::for_each(edges.size(), [&](std::size_t i) { result[i] = segments_[edges[i]]; });
+  return result;
+}
+
+// edge: may be gone; segment: its ends.
+void ConflictSearch::add_hit(NodeId node, std::uint32_t edge, const Segment& segment,
+                             std::vector<Hit>& found) const {
   const Vec2 p = network_.nodes[node];
-  const auto [a, b] = segments_[edge];
+  const auto [a, b] = segment;
   if (apart(a.x, b.x, p.x - snap_, p.x + snap_) || apart(a.y, b.y, p.y - snap_, p.y + snap_)) return;
   if (p == a || p == b) return;  // it ends here: nodes are apart, so that none has another's place
   const double squared = squared_distance(p, a, b);
-  if (squared < snap_ * snap_) found.push_back({node, edge, squared});
+  if (squared < snap_ * snap_ && edge != kGone) found.push_back({node, edge, squared});
 }
 
 std::vector<Hit> ConflictSearch::hits_everywhere() const {
@@ -127,7 +150,9 @@ std::vector<Hit> ConflictSearch::hits_everywhere() const {
           const NodeId node(order[i]);
           if (network_.degree[node.value()] == 0) continue;
           const Vec2 p = network_.nodes[node];
-          old_grid_->visit_near(Box2{p, p}.grown(snap_), [&](std::uint32_t e) { add_hit(node, e, found); });
+          old_grid_->visit_near(Box2{p, p}.grown(snap_), [&](std::uint32_t k) {
+            add_hit(node, old_edges_[k], old_segments_[k], found);
+          });
         }
       },
       kNodesPerChunk);
@@ -142,7 +167,8 @@ std::vector<Hit> ConflictSearch::hits_of_young_edges() const {
           const Vec2 p = network_.nodes[NodeId(n)];
           young_grid_->visit_near(Box2{p, p}.grown(snap_), [&](std::uint32_t i) {
             const std::uint32_t e = young_edges_[i];
-            if (edge_changed_[e] == round_ || node_changed_[n] == round_) add_hit(NodeId(n), e, found);
+            if (edge_changed_[e] == round_ || node_changed_[n] == round_)
+              add_hit(NodeId(n), e, young_segments_[i], found);
           });
         }
       },
@@ -157,7 +183,7 @@ std::vector<Hit> ConflictSearch::hits_of_changed_nodes() const {
           if (network_.degree[n] == 0 || node_changed_[n] != round_) continue;
           const Vec2 p = network_.nodes[NodeId(n)];
           old_grid_->visit_near(Box2{p, p}.grown(snap_), [&](std::uint32_t i) {
-            if (old_edges_[i] != kGone) add_hit(NodeId(n), old_edges_[i], found);
+            add_hit(NodeId(n), old_edges_[i], old_segments_[i], found);
           });
         }
       },

@@ -48,7 +48,9 @@ class ConflictSearch {
   [[nodiscard]] std::vector<Hit> hits_everywhere() const;
   [[nodiscard]] std::vector<Hit> hits_of_young_edges() const;
   [[nodiscard]] std::vector<Hit> hits_of_changed_nodes() const;
-  void add_hit(NodeId node, std::uint32_t edge, std::vector<Hit>& found) const;
+  [[nodiscard]] std::vector<std::uint32_t> edges_by_place() const;
+  [[nodiscard]] std::vector<Segment> segments_of(const std::vector<std::uint32_t>& edges) const;
+  void add_hit(NodeId node, std::uint32_t edge, const Segment& segment, std::vector<Hit>& found) const;
   void add_crossing(std::uint32_t e, std::uint32_t f, std::vector<Crossing>& found) const;
   [[nodiscard]] std::vector<Crossing> crossings_among(const SegmentGrid& grid,
                                                       const std::vector<Segment>& segments,

@@ -273,17 +273,19 @@ class Noder {
     places_.begin_merging();
     std::vector<Vec2> points(crossings.size());
     parallel::for_each(
-        points.size(), [&](std::size_t i) { points[i] = point_of(crossings[i], segments); }, kCrossingsPerChunk);
+        points.size(), [&](std::size_t i) { points[i] = point_of(crossings[i], segments); },
+        kCrossingsPerChunk);
     std::vector<std::uint8_t> lonely = lonely_points(points, places_.apart());
     parallel::for_each(
-        points.size(), [&](std::size_t i) { lonely[i] = lonely[i] != 0 && !places_.nearest(points[i]).valid(); },
+        points.size(),
+        [&](std::size_t i) { lonely[i] = lonely[i] != 0 && !places_.nearest(points[i]).valid(); },
         kCrossingsPerChunk);
     // Nodes are made and joined one after the other; where nothing is near, that is all.
     std::vector<NodeId> nodes(crossings.size());
     std::vector<Insertion> insertions(2 * crossings.size());
     for (std::size_t i = 0; i < crossings.size(); ++i) {
-      nodes[i] = lonely[i] != 0 ? add_crossing(crossings[i], points[i])
-                                : node_of_crossing(crossings[i], points[i]);
+      nodes[i] =
+          lonely[i] != 0 ? add_crossing(crossings[i], points[i]) : node_of_crossing(crossings[i], points[i]);
       // Before another crossing moves the node.
       if (lonely[i] == 0) set_insertions(crossings[i], nodes[i], segments, &insertions[2 * i]);
     }

@@ -60,14 +60,6 @@ void PathNetwork::build_edges() {
   }
 }
 
-std::vector<Segment> PathNetwork::segments() const {
-  std::vector<Segment> result(edges.size());
-  parallel::for_each(edges.size(), [&](std::size_t e) {
-    result[e] = {nodes[edges[e].from], nodes[edges[e].to]};
-  });
-  return result;
-}
-
 void PathNetwork::insert(std::vector<Insertion>& insertions) {
   if (insertions.empty()) return;
   const std::vector<std::size_t> begin = sort_by_edge(insertions);

@@ -6,7 +6,6 @@
 #include <span>
 #include <vector>
 
-#include "engine/geometry/grid.hpp"
 #include "engine/geometry/line_set.hpp"
 
 namespace quarry::linework {
@@ -61,7 +60,6 @@ struct PathNetwork {
   std::vector<std::uint32_t> degree;  // of each node
 
   void build_edges();
-  [[nodiscard]] std::vector<Segment> segments() const;
 
   // Puts nodes into edges of the last build_edges(), in every path that takes them. Sorts what it is given.
   void insert(std::vector<Insertion>& insertions);
