@@ -17,6 +17,7 @@
 #include "kernels/linework/ledger.hpp"
 #include "kernels/linework/noding.hpp"
 #include "kernels/linework/path_network.hpp"
+#include "kernels/linework/repairs.hpp"
 #include "kernels/linework/thinning.hpp"
 
 namespace quarry {
@@ -163,6 +164,14 @@ void require_domain(const Outline& outline, const std::vector<linework::EdgePlac
                   ring.origin, ring.origin.empty() ? "" : ": ", format_point(p.x, p.y)));
 }
 
+IdVector<LineId, std::uint32_t> dangles_of_lines(const PathNetwork& network,
+                                                 const std::vector<std::uint32_t>& of_raw, std::size_t size) {
+  IdVector<LineId, std::uint32_t> result(size);
+  for (std::size_t r = 0; r < network.raw.size(); ++r)
+    if (network.raw[r].line.valid()) result[network.raw[r].line] = of_raw[r];
+  return result;
+}
+
 // No invariant is kept at the cost of a line's course: rather no result.
 void require_within_budget(const LineSet& lines, const IdVector<LineId, LedgerEntry>& ledger, double budget) {
   for (const LineId id : IdRange<LineId>(ledger.size())) {
@@ -217,7 +226,7 @@ CleanedLines clean_lines(const LineSet& lines, const Outline& outline, const Cle
   linework::note_lost_lines(network, "lies outside the outline", reasons);
 
   progress.report("clean", 0.7);
-  linework::thin_out(network, result.options, result.counts, progress);
+  const auto cut_dangles = linework::thin_out(network, result.options, result.counts, progress);
   linework::note_lost_lines(network, "what is left of it is shorter than the shortest piece (min-edge)",
                             reasons);
   network.build_edges();
@@ -225,6 +234,9 @@ CleanedLines clean_lines(const LineSet& lines, const Outline& outline, const Cle
   progress.report("clean", 0.9);
   require_noded(result.lines, result.options.snap);
   result.ledger = linework::make_ledger(lines, network, clipped, reasons);
+  linework::tell_repairs(lines, dangles_of_lines(network, cut_dangles, lines.lines.size()), result.ledger,
+                         result.counts);
+  result.counts.nodes = count_classes(classify_nodes(result.lines));
   result.counts.smallest_angle = smallest_angle(result.lines);
   for (const LedgerEntry& entry : result.ledger)
     result.counts.largest_move = std::max(result.counts.largest_move, entry.moved);

@@ -27,6 +27,9 @@ class LinkedPaths {
   [[nodiscard]] bool is_end(std::uint32_t step) const {
     return steps_[step].before == kNone || steps_[step].after == kNone;
   }
+  [[nodiscard]] std::uint32_t raw_number(std::uint32_t step) const {
+    return network_.paths[steps_[step].path].raw;
+  }
   [[nodiscard]] bool rigid(std::uint32_t step) const { return raw_of(step).rigid; }
 
   // Of the raw stretch between two steps of a path from the segment between their nodes.

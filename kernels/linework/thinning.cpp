@@ -27,11 +27,14 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 
 class Thinner {
  public:
-  Thinner(PathNetwork& network, const CleanOptions& options, CleanCounts& counts, const Progress& progress)
+  // cut_dangles: of each raw line, to be added to.
+  Thinner(PathNetwork& network, const CleanOptions& options, CleanCounts& counts, const Progress& progress,
+          std::vector<std::uint32_t>& cut_dangles)
       : network_(network),
         options_(options),
         counts_(counts),
         progress_(progress),
+        cut_dangles_(cut_dangles),
         links_(network),
         grid_(network.nodes.raw(), 4 * options.snap),
         version_(network.nodes.size(), 0) {}
@@ -232,6 +235,8 @@ class Thinner {
     const auto ends = neighbours_of_bend(inner);
     if (ends && join_at(inner, limit()).allowed && remove_bend(inner, *ends, kNarrowForCollapse)) return true;
     if (!merge_allowed(end, inner)) return false;
+    if (!ends)
+      for (const std::uint32_t step : links_.at(end)) ++cut_dangles_[links_.raw_number(step)];
     links_.merge(end, inner);
     return true;
   }
@@ -306,6 +311,7 @@ class Thinner {
   const CleanOptions& options_;
   CleanCounts& counts_;
   const Progress& progress_;
+  std::vector<std::uint32_t>& cut_dangles_;
   LinkedPaths links_;
   PointGrid grid_;
   std::vector<std::uint32_t> version_;
@@ -315,9 +321,11 @@ class Thinner {
 
 }  // namespace
 
-void thin_out(PathNetwork& network, const CleanOptions& options, CleanCounts& counts,
-              const Progress& progress) {
-  if (!network.nodes.empty()) Thinner(network, options, counts, progress).run();
+std::vector<std::uint32_t> thin_out(PathNetwork& network, const CleanOptions& options, CleanCounts& counts,
+                                    const Progress& progress) {
+  std::vector<std::uint32_t> cut_dangles(network.raw.size(), 0);
+  if (!network.nodes.empty()) Thinner(network, options, counts, progress, cut_dangles).run();
+  return cut_dangles;
 }
 
 }  // namespace quarry::linework
