@@ -34,6 +34,9 @@ constexpr double kDrift = 1.75;
 constexpr double kTooFar = 3;
 // Spacing of the samples of a raw line when it is laid, in snapping distances.
 constexpr double kSampling = 0.25;
+// And at most so many samples in a stretch: one that is longer than some thousand snapping distances gets
+// nodes farther apart, or a few such lines would become millions of nodes.
+constexpr double kMostSamples = 4096;
 
 constexpr std::size_t kCheckedPerChunk = 256;
 constexpr std::size_t kCrossingsPerChunk = 512;
@@ -171,8 +174,10 @@ class Noder {
     std::size_t next = 0;  // step of the path that follows
     for (const Window& window : windows) {
       for (; next <= window.first; ++next) steps.push_back(path.steps[next]);
-      const auto laid = nearest_course(network_, raw, path.steps[window.first].at, path.steps[window.last].at,
-                                       kSampling * snap_, node_at);
+      const double from = path.steps[window.first].at;
+      const double to = path.steps[window.last].at;
+      const double spacing = std::max(kSampling * snap_, stretch_length(raw, from, to) / kMostSamples);
+      const auto laid = nearest_course(network_, raw, from, to, spacing, node_at);
       steps.insert(steps.end(), laid.begin(), laid.end());
       next = window.last;
     }

@@ -73,5 +73,9 @@ TEST(DirtyLineSets, AreCleanedWithEveryLineThereOrNamed) {
   std::printf("the longest took %.2f s\n", longest);
 }
 
+TEST(DirtyLineSets, AreLaidAnewInNoTimeWhereLinesAreManySnappingDistancesLong) {
+  EXPECT_EQ(what_is_wrong({.seed = 528737187U, .lines = 477, .snap = 9, .scale = -1, .offset = 5}), "");
+}
+
 }  // namespace
 }  // namespace quarry
