@@ -1,26 +1,122 @@
-// Cleaning of raw line work: lines a second, by number of lines and threads.
-#include <benchmark/benchmark.h>
+// Cleaning of raw line work on one thread and on two, beside GEOS's SnapRoundingNoder on as many raw
+// segments. Prints a table; for docs/results-cleaning.md.
+//
+//   linework_bench [REPEATS]
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <vector>
 
+#include <fmt/format.h>
+
+#include "bench/geos_noder.hpp"
 #include "bench/synthetic_network.hpp"
+#include "engine/base/stopwatch.hpp"
 #include "engine/parallel/parallel.hpp"
 
-namespace quarry {
+namespace quarry::bench {
 namespace {
 
-// Arguments: lines, threads.
-void clean_raw_lines(benchmark::State& state) {
-  const LineSet lines = bench::draw_network(static_cast<std::uint32_t>(state.range(0)));
-  const CleanOptions options{.snap = 0.1, .min_edge = 0.2, .tolerance = 0.1};
-  const Outline outline = box_outline(lines, options.snap);
-  parallel::with_threads(static_cast<int>(state.range(1)), [&] {
-    for (auto _ : state) benchmark::DoNotOptimize(clean_lines(lines, outline, options));
-  });
-  state.SetItemsProcessed(state.iterations() * state.range(0));
+constexpr std::uint32_t kSizes[] = {10'000, 100'000, 1'000'000};
+// The most that GEOS is given: it takes minutes for more.
+constexpr std::uint32_t kMostForPeer = 100'000;
+constexpr std::size_t kThreadCounts = 2;  // 1 and 2
+
+// A network and what it is cleaned with: lengths that follow the shortest fracture, as they follow the wanted
+// edge of a mesh that is to show it.
+struct Network {
+  explicit Network(std::uint32_t count) : lines(draw_network(count, false)) {
+    const double shortest = 0.7 * lines.box().longer_side() / std::sqrt(static_cast<double>(count));
+    options = {.snap = 0.05 * shortest, .min_edge = 0.1 * shortest, .tolerance = 0.05 * shortest};
+    outline = box_outline(lines, options.snap);
+  }
+  LineSet lines;
+  CleanOptions options;
+  Outline outline;
+};
+
+// Seconds by the wall, one a repeat.
+struct Times {
+  std::vector<double> peer;
+  std::vector<double> own[kThreadCounts];
+  std::size_t peer_pieces = 0;
+  CleanCounts counts;
+  std::size_t pieces = 0;
+};
+
+void time_peer([[maybe_unused]] const Network& network, [[maybe_unused]] Times& times) {
+#ifdef QUARRY_GEOS_NODER
+  if (network.lines.lines.size() > kMostForPeer) return;
+  // Its cells reach as far from their middles as the snapping distance does.
+  const GeosNoder noder(network.lines, 2 * network.options.snap);
+  const Stopwatch watch;
+  times.peer_pieces = noder.node();
+  times.peer.push_back(watch.seconds());
+#endif
 }
-BENCHMARK(clean_raw_lines)
-    ->ArgsProduct({{1000, 10000}, {1, 2}})
-    ->UseRealTime()
-    ->Unit(benchmark::kMillisecond);
+
+void time_own(const Network& network, std::size_t threads, Times& times) {
+  parallel::with_threads(static_cast<int>(threads), [&] {
+    const Stopwatch watch;
+    const CleanedLines cleaned = clean_lines(network.lines, network.outline, network.options);
+    times.own[threads - 1].push_back(watch.seconds());
+    times.counts = cleaned.counts;
+    times.pieces = cleaned.lines.pieces.size();
+  });
+}
+
+double median(std::vector<double> values) {
+  std::ranges::sort(values);
+  return values.empty() ? std::nan("") : values[values.size() / 2];
+}
+
+// The median of the ratios of what was measured in the same repeat.
+double median_ratio(const std::vector<double>& over, const std::vector<double>& under) {
+  std::vector<double> ratios;
+  for (std::size_t i = 0; i < std::min(over.size(), under.size()); ++i) ratios.push_back(over[i] / under[i]);
+  return median(ratios);
+}
+
+std::string text_of(double value, int digits) {
+  return std::isnan(value) ? "" : fmt::format("{:.{}f}", value, digits);
+}
+
+void print_row(const Network& network, const Times& times, const Times* smaller) {
+  std::string row = fmt::format("| {} | {} | {} | {} |", network.lines.lines.size(), times.counts.crossings,
+                                times.pieces, text_of(median(times.peer), 2));
+  for (const std::vector<double>& own : times.own)
+    row +=
+        fmt::format(" {:.2f} | {} | {} |", median(own), text_of(median_ratio(times.peer, own), 1),
+                    smaller == nullptr ? "" : text_of(median_ratio(own, smaller->own[&own - times.own]), 1));
+  std::printf("%s\n", row.c_str());
+  std::fflush(stdout);
+}
+
+void run(int repeats) {
+  std::vector<Network> networks;
+  for (const std::uint32_t size : kSizes) networks.emplace_back(size);
+  std::vector<Times> times(networks.size());
+  // In turn, so that other work on the machine meets all alike.
+  for (int repeat = 0; repeat < repeats; ++repeat) {
+    for (std::size_t i = 0; i < networks.size(); ++i) {
+      time_peer(networks[i], times[i]);
+      for (std::size_t threads = 1; threads <= kThreadCounts; ++threads)
+        time_own(networks[i], threads, times[i]);
+    }
+  }
+  std::printf(
+      "| raw segments | crossings | pieces | GEOS, s | 1 thread, s | times as fast as GEOS | times the row "
+      "above "
+      "| 2 threads, s | times as fast as GEOS | times the row above |\n"
+      "|---|---|---|---|---|---|---|---|---|---|\n");
+  for (std::size_t i = 0; i < networks.size(); ++i)
+    print_row(networks[i], times[i], i == 0 ? nullptr : &times[i - 1]);
+}
 
 }  // namespace
-}  // namespace quarry
+}  // namespace quarry::bench
+
+int main(int count, char** values) { quarry::bench::run(count > 1 ? std::atoi(values[1]) : 3); }

@@ -12,7 +12,8 @@ not part of this repository: fracture traces of an outcrop within its outline (k
 516; lineaments: 221; all three are test data of fractopo), a dense trace map with 5,100 dangling ends (souter_all:
 2,792, from FracPaQ) and a section through a structural model (section_a1: 13 long lines, from OpenGeode-Inspector). The
 size is the wanted edge H: the longer side of the box of the input lines, divided by the number given. Everything else
-is the default, but for `--cleanup none`; [results-quads.md](results-quads.md) has quads with clean-up. SJ is the
+is the default, but for `--cleanup none`; [results-quads.md](results-quads.md) has quads with clean-up,
+[results-cleaning.md](results-cleaning.md) cleaning alone beside GEOS. SJ is the
 scaled Jacobian of a quad, its smallest corner's; irregular are interior vertices with other than four edges. Times are
 whole processes, file to file{repeat}.
 

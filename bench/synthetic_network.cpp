@@ -14,13 +14,13 @@
 #include "pipeline/generate/fractures.hpp"
 
 namespace quarry::bench {
-LineSet draw_network(std::uint32_t lines) {
+LineSet draw_network(std::uint32_t lines, bool curved) {
   constexpr Vec2 kCorner{466000, 6691000};
   constexpr Vec2 kSides{1000, 1000};
   FractureOptions options;
   options.box = {kCorner, kCorner + kSides};
   options.count = lines;
-  options.curved = true;
+  options.curved = curved;
   return generate_fractures(options, {}).lines;
 }
 

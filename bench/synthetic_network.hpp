@@ -10,8 +10,9 @@
 
 namespace quarry::bench {
 
-// So many fractures in a box of 1000 units, far from the origin as map coordinates are.
-[[nodiscard]] LineSet draw_network(std::uint32_t lines);
+// So many fractures in a box of 1000 units, far from the origin as map coordinates are. Those that are not
+// curved are one segment each.
+[[nodiscard]] LineSet draw_network(std::uint32_t lines, bool curved = true);
 
 // The network cleaned for elements of the given size, within its box.
 [[nodiscard]] CleanedLines clean_network(std::uint32_t lines, double size);

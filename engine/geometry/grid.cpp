@@ -20,24 +20,13 @@ constexpr std::size_t kCellsPerItem = 4;
 std::vector<std::uint32_t> sort_into_cells(std::size_t cell_count, std::vector<std::uint64_t> cells,
                                            std::vector<std::uint32_t>& ids) {
   parallel::stable_sort_by_key(cells, ids);
-  std::vector<std::uint32_t> begin(cell_count + 1);
-  parallel::for_each(cell_count + 1, [&](std::size_t cell) {
-    const auto first = std::lower_bound(cells.begin(), cells.end(), cell);
-    begin[cell] = static_cast<std::uint32_t>(first - cells.begin());
+  std::vector<std::uint32_t> begin(cell_count + 1, static_cast<std::uint32_t>(cells.size()));
+  // Each entry that is the first of its cell begins that, and the empty ones before it.
+  parallel::for_each(cells.size(), [&](std::size_t i) {
+    const std::size_t after_last = i == 0 ? 0 : cells[i - 1] + 1;
+    for (std::size_t cell = after_last; cell <= cells[i]; ++cell) begin[cell] = static_cast<std::uint32_t>(i);
   });
   return begin;
-}
-
-template <class Visit>
-void for_each_id(const CellFrame& frame, const Box2& box, const std::vector<std::uint32_t>& begin,
-                 const std::vector<std::uint32_t>& ids, Visit&& visit) {
-  const CellFrame::Range range = frame.range(box);
-  for (std::uint32_t row = range.row_begin; row < range.row_end; ++row) {
-    // The cells of a row follow each other.
-    const std::uint32_t first = begin[frame.index(range.column_begin, row)];
-    const std::uint32_t last = begin[frame.index(range.column_end - 1, row) + 1];
-    for (std::uint32_t i = first; i < last; ++i) visit(ids[i]);
-  }
 }
 
 template <class Item, class Extend>
@@ -144,8 +133,7 @@ PointGrid::PointGrid(std::span<const Vec2> points, double side)
 
 void PointGrid::find(const Box2& box, std::vector<std::uint32_t>& ids) const {
   ids.clear();
-  if (box.empty()) return;
-  for_each_id(frame_, box, begin_, ids_, [&](std::uint32_t id) {
+  visit_near(box, [&](std::uint32_t id) {
     if (box.contains(points_[id])) ids.push_back(id);
   });
   std::sort(ids.begin(), ids.end());
@@ -176,12 +164,19 @@ SegmentGrid::SegmentGrid(std::span<const Segment> segments, double side)
 
 void SegmentGrid::find(const Box2& box, std::vector<std::uint32_t>& ids) const {
   ids.clear();
-  if (box.empty()) return;
-  for_each_id(frame_, box, begin_, ids_, [&](std::uint32_t id) {
+  visit_near(box, [&](std::uint32_t id) {
     if (boxes_meet(box, segments_[id])) ids.push_back(id);
   });
   std::sort(ids.begin(), ids.end());
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+}
+
+std::vector<std::uint32_t> SegmentGrid::by_cells(std::span<const Vec2> points) const {
+  std::vector<std::uint64_t> cells(points.size());
+  parallel::for_each(points.size(), [&](std::size_t i) {
+    cells[i] = frame_.index(frame_.column(points[i].x), frame_.row(points[i].y));
+  });
+  return parallel::sorted_order(std::move(cells));
 }
 
 }  // namespace quarry

@@ -34,6 +34,20 @@ class CellFrame {
   [[nodiscard]] Range range(const Box2& box) const {
     return {column(box.low.x), column(box.high.x) + 1, row(box.low.y), row(box.high.y) + 1};
   }
+  // Calls visit(id) for the ids of the cells that hold a point of the box; begin: where the ids of each cell
+  // begin, and the end of the last. Nothing for an empty box.
+  template <class Visit>
+  void for_each_entry(const Box2& box, std::span<const std::uint32_t> begin,
+                      std::span<const std::uint32_t> ids, Visit&& visit) const {
+    if (box.empty()) return;
+    const Range cells = range(box);
+    for (std::uint32_t row = cells.row_begin; row < cells.row_end; ++row) {
+      // The cells of a row follow each other.
+      const std::uint32_t first = begin[index(cells.column_begin, row)];
+      const std::uint32_t last = begin[index(cells.column_end - 1, row) + 1];
+      for (std::uint32_t i = first; i < last; ++i) visit(ids[i]);
+    }
+  }
   // Calls visit(cell) for a superset of the cells that hold a point of the segment.
   template <class Visit>
   void for_each_cell_of_segment(Vec2 a, Vec2 b, Visit&& visit) const {
@@ -68,6 +82,14 @@ class PointGrid {
   // Replaces ids by those of the points in the closed box, ascending.
   void find(const Box2& box, std::vector<std::uint32_t>& ids) const;
 
+  // Calls visit(id) for the points of the cells that hold a point of the box, in no order.
+  template <class Visit>
+  void visit_near(const Box2& box, Visit&& visit) const {
+    frame_.for_each_entry(box, begin_, ids_, visit);
+  }
+  // All ids, cell by cell: an order in which neighbours lie near each other in memory.
+  [[nodiscard]] std::span<const std::uint32_t> by_cells() const { return ids_; }
+
  private:
   std::span<const Vec2> points_;
   CellFrame frame_;
@@ -91,6 +113,30 @@ class SegmentGrid {
   // Replaces ids by those of the segments near the closed box, each once, ascending: all that meet it, and
   // some that do not but whose own boxes do.
   void find(const Box2& box, std::vector<std::uint32_t>& ids) const;
+
+  // Calls visit(id) for the segments entered in the cells that hold a point of the box: all that meet it, and
+  // others; in no order, and each once for each of those cells that it is entered in.
+  template <class Visit>
+  void visit_near(const Box2& box, Visit&& visit) const {
+    frame_.for_each_entry(box, begin_, ids_, visit);
+  }
+
+  // The same for the cells that a segment passes through.
+  template <class Visit>
+  void visit_along(const Segment& segment, Visit&& visit) const {
+    frame_.for_each_cell_of_segment(segment.from, segment.to, [&](std::size_t cell) {
+      for (const std::uint32_t id : entries(cell)) visit(id);
+    });
+  }
+
+  [[nodiscard]] std::size_t cell_count() const { return frame_.size(); }
+  // The segments entered in a cell, ascending. Two that have a common point share a cell that holds it.
+  [[nodiscard]] std::span<const std::uint32_t> entries(std::size_t cell) const {
+    return std::span(ids_).subspan(begin_[cell], begin_[cell + 1] - begin_[cell]);
+  }
+  // The positions of points, by the cells of this grid, then ascending: an order in which queries around one
+  // after the other look at the same entries.
+  [[nodiscard]] std::vector<std::uint32_t> by_cells(std::span<const Vec2> points) const;
 
  private:
   std::span<const Segment> segments_;

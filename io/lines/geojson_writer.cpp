@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/atomic_file.hpp"
+#include "io/text_output.hpp"
 
 namespace quarry {
 namespace {
@@ -117,14 +118,35 @@ std::vector<std::string> point_features(const NodedLines& lines, const GeojsonWr
 
 }  // namespace
 
+namespace {
+
+void begin_features(AtomicFile& file, const std::string& system) {
+  file.write("{\"type\":\"FeatureCollection\",");
+  if (!system.empty())
+    file.write(fmt::format("\"crs\":{{\"type\":\"name\",\"properties\":{{\"name\":{}}}}},", quoted(system)));
+  file.write("\"features\":[\n");
+}
+
+}  // namespace
+
+void write_points_geojson(const std::string& path, std::span<const Vec2> points,
+                          const std::function<std::string(std::size_t)>& properties,
+                          const std::string& system) {
+  AtomicFile file(path);
+  begin_features(file, system);
+  write_lines(file, points.size(), [&](TextLine text, std::size_t i) {
+    text << "{\"type\":\"Feature\",\"properties\":{" << properties(i)
+         << "},\"geometry\":{\"type\":\"Point\",\"coordinates\":[" << points[i].x << "," << points[i].y
+         << "]}}" << (i + 1 < points.size() ? ",\n" : "\n");
+  });
+  file.write("]}\n");
+  file.commit();
+}
+
 void write_lines_geojson(const std::string& path, const NodedLines& lines,
                          const GeojsonWriteOptions& options) {
   AtomicFile file(path);
-  file.write("{\"type\":\"FeatureCollection\",");
-  if (!options.system.empty())
-    file.write(
-        fmt::format("\"crs\":{{\"type\":\"name\",\"properties\":{{\"name\":{}}}}},", quoted(options.system)));
-  file.write("\"features\":[\n");
+  begin_features(file, options.system);
   Chains chains(lines);
   bool first = true;
   for (const PieceId id : IdRange<PieceId>(lines.pieces.size())) {

@@ -1,6 +1,9 @@
-// Cleaned lines as GeoJSON.
+// Cleaned lines, and points, as GeoJSON.
 #pragma once
 
+#include <cstddef>
+#include <functional>
+#include <span>
 #include <string>
 
 #include "engine/geometry/line_set.hpp"
@@ -24,5 +27,12 @@ struct GeojsonWriteOptions {
 // written so that reading gives the same bits. Throws Error(kOutput); the file appears whole or not at all.
 void write_lines_geojson(const std::string& path, const NodedLines& lines,
                          const GeojsonWriteOptions& options = {});
+
+// Writes each point as one feature, in order. properties(index) gives the members of its properties as JSON
+// text ("\"class\":\"X\""); it is called by many threads. system: the member "crs"; "" for none. Coordinates
+// and the file as above.
+void write_points_geojson(const std::string& path, std::span<const Vec2> points,
+                          const std::function<std::string(std::size_t)>& properties,
+                          const std::string& system = {});
 
 }  // namespace quarry

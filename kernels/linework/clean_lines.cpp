@@ -12,11 +12,13 @@
 
 #include "engine/base/error.hpp"
 #include "engine/geometry/hilbert.hpp"
+#include "engine/parallel/parallel.hpp"
 #include "engine/parallel/sort.hpp"
 #include "kernels/linework/domain.hpp"
 #include "kernels/linework/ledger.hpp"
 #include "kernels/linework/noding.hpp"
 #include "kernels/linework/path_network.hpp"
+#include "kernels/linework/repairs.hpp"
 #include "kernels/linework/thinning.hpp"
 
 namespace quarry {
@@ -86,32 +88,17 @@ void note_points(const LineSet& lines, const PathNetwork& network, linework::Rea
 
 // Nodes in use, in Hilbert order.
 std::vector<NodeId> ordered_nodes(const PathNetwork& network) {
+  const std::vector<std::uint32_t> used =
+      parallel::filter_indices(network.nodes.size(), [&](std::size_t n) { return network.used(NodeId(n)); });
   Box2 box;
-  std::vector<NodeId> used;
-  for (const NodeId node : IdRange<NodeId>(network.nodes.size())) {
-    if (!network.used(node)) continue;
-    used.push_back(node);
-    box.extend(network.nodes[node]);
-  }
-  std::vector<std::uint64_t> keys;
-  for (const NodeId node : used) keys.push_back(hilbert_key(network.nodes[node], box));
+  for (const std::uint32_t n : used) box.extend(network.nodes[NodeId(n)]);
+  std::vector<std::uint64_t> keys(used.size());
+  parallel::for_each(used.size(),
+                     [&](std::size_t i) { keys[i] = hilbert_key(network.nodes[NodeId(used[i])], box); });
   std::vector<NodeId> result;
-  for (const std::uint32_t i : parallel::sorted_order(std::move(keys))) result.push_back(used[i]);
+  result.reserve(used.size());
+  for (const std::uint32_t i : parallel::sorted_order(std::move(keys))) result.emplace_back(used[i]);
   return result;
-}
-
-// The numbers of each edge's lines, as sorted pairs.
-std::vector<std::pair<std::uint32_t, LineId>> numbers_of_edges(const PathNetwork& network) {
-  std::vector<std::pair<std::uint32_t, LineId>> pairs;
-  for (std::size_t p = 0; p < network.paths.size(); ++p) {
-    const LineId line = network.raw[network.paths[p].raw].line;
-    if (!line.valid()) continue;
-    for (std::size_t i = network.edge_begin[p]; i < network.edge_begin[p + 1]; ++i)
-      pairs.emplace_back(network.edge_of_step[i], line);
-  }
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-  return pairs;
 }
 
 // renamed: the new number of each node.
@@ -120,20 +107,22 @@ NodedLines noded_lines(const PathNetwork& network, IdVector<NodeId, NodeId>& ren
   renamed = IdVector<NodeId, NodeId>(network.nodes.size());
   for (const NodeId node : ordered_nodes(network))
     renamed[node] = result.nodes.push_back(network.nodes[node]);
-  const auto ends_of = [&](const Edge& edge) { return std::minmax(renamed[edge.from], renamed[edge.to]); };
-  std::vector<std::uint64_t> keys;
-  for (const Edge& edge : network.edges) {
-    const auto [from, to] = ends_of(edge);
-    keys.push_back(std::uint64_t{from.value()} << 32 | to.value());
-  }
-  const auto numbers = numbers_of_edges(network);
+  const auto ends_of = [&](const Edge& edge) {
+    return std::pair(std::minmax(renamed[edge.from], renamed[edge.to]));
+  };
+  std::vector<std::uint64_t> keys(network.edges.size());
+  parallel::for_each(keys.size(), [&](std::size_t e) {
+    const auto [from, to] = ends_of(network.edges[e]);
+    keys[e] = std::uint64_t{from.value()} << 32 | to.value();
+  });
+  const linework::LinesAt lines = linework::lines_on_edges(network);
   result.line_begin.push_back(0);
   for (const std::uint32_t e : parallel::sorted_order(std::move(keys))) {
     const auto [from, to] = ends_of(network.edges[e]);
     result.pieces.push_back(
         {from, to, network.edges[e].outline ? PieceKindOf::kOutline : PieceKindOf::kInterior});
-    auto at = std::lower_bound(numbers.begin(), numbers.end(), std::pair(e, LineId(0U)));
-    for (; at != numbers.end() && at->first == e; ++at) result.line_numbers.push_back(at->second);
+    const std::span<const LineId> numbers = lines.at(e);
+    result.line_numbers.insert(result.line_numbers.end(), numbers.begin(), numbers.end());
     result.line_begin.push_back(static_cast<std::uint32_t>(result.line_numbers.size()));
   }
   return result;
@@ -220,6 +209,14 @@ IdVector<PointId, PointEntry> point_entries(const LineSet& lines, const PathNetw
   return entries;
 }
 
+IdVector<LineId, std::uint32_t> dangles_of_lines(const PathNetwork& network,
+                                                 const std::vector<std::uint32_t>& of_raw, std::size_t size) {
+  IdVector<LineId, std::uint32_t> result(size);
+  for (std::size_t r = 0; r < network.raw.size(); ++r)
+    if (network.raw[r].line.valid()) result[network.raw[r].line] = of_raw[r];
+  return result;
+}
+
 // No invariant is kept at the cost of a line's course: rather no result.
 void require_within_budget(const LineSet& lines, const IdVector<LineId, LedgerEntry>& ledger, double budget) {
   for (const LineId id : IdRange<LineId>(ledger.size())) {
@@ -275,7 +272,7 @@ CleanedLines clean_lines(const LineSet& lines, const Outline& outline, const Cle
   linework::note_lost_lines(network, "lies outside the outline", reasons);
 
   progress.report("clean", 0.7);
-  linework::thin_out(network, result.options, result.counts, progress);
+  const auto cut_dangles = linework::thin_out(network, result.options, result.counts, progress);
   linework::note_lost_lines(network, "what is left of it is shorter than the shortest piece (min-edge)",
                             reasons);
   network.build_edges();
@@ -285,6 +282,9 @@ CleanedLines clean_lines(const LineSet& lines, const Outline& outline, const Cle
   require_noded(result.lines, result.options.snap);
   result.ledger = linework::make_ledger(lines, network, clipped, reasons);
   result.points = point_entries(lines, network, renamed, result.lines);
+  linework::tell_repairs(lines, dangles_of_lines(network, cut_dangles, lines.lines.size()), result.ledger,
+                         result.counts);
+  result.counts.nodes = count_classes(classify_nodes(result.lines));
   result.counts.smallest_angle = smallest_angle(result.lines);
   for (const LedgerEntry& entry : result.ledger)
     result.counts.largest_move = std::max(result.counts.largest_move, entry.moved);

@@ -14,6 +14,7 @@
 
 #include "engine/base/progress.hpp"
 #include "engine/geometry/line_set.hpp"
+#include "kernels/linework/node_classes.hpp"
 #include "kernels/linework/outline.hpp"
 
 namespace quarry {
@@ -60,16 +61,20 @@ struct PointEntry {
 };
 
 struct CleanCounts {
-  std::uint32_t rounds = 0;        // of snapping and crossing
-  std::uint32_t crossings = 0;     // that became nodes
-  std::uint32_t bends = 0;         // nodes that a foreign piece was bent through
-  std::uint32_t anchors = 0;       // nodes that bring a line that drifts away back to its raw course
-  std::uint32_t reroutes = 0;      // times that a path was laid anew because bending had led it astray
-  std::uint32_t simplified = 0;    // bends removed within the tolerance
-  std::uint32_t collapsed = 0;     // pieces collapsed for being short
-  std::uint32_t short_pieces = 0;  // pieces shorter than min_edge that had to stay
-  double smallest_angle = 180;     // degrees, between pieces at a node
-  double largest_move = 0;         // largest LedgerEntry::moved
+  std::uint32_t rounds = 0;           // of snapping and crossing
+  std::uint32_t crossings = 0;        // that became nodes
+  std::uint32_t bends = 0;            // nodes that a foreign piece was bent through
+  std::uint32_t anchors = 0;          // nodes that bring a line that drifts away back to its raw course
+  std::uint32_t reroutes = 0;         // times that a path was laid anew because bending had led it astray
+  std::uint32_t simplified = 0;       // bends removed within the tolerance
+  std::uint32_t collapsed = 0;        // pieces collapsed for being short
+  std::uint32_t short_pieces = 0;     // pieces shorter than min_edge that had to stay
+  std::uint32_t duplicate_lines = 0;  // lines with the points of an earlier line
+  std::uint32_t empty_segments = 0;   // of no length, in all lines
+  std::uint32_t cut_dangles = 0;      // dangling ends shorter than min_edge that were cut, once for each line
+  NodeClassCounts nodes;              // of the cleaned lines
+  double smallest_angle = 180;        // degrees, between pieces at a node
+  double largest_move = 0;            // largest LedgerEntry::moved
 };
 
 struct CleanedLines {

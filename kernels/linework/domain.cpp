@@ -112,6 +112,13 @@ class RingEdges {
   Rows rows_{0, 0, 1};
 };
 
+// Whether a path has edges and all of them lie in the domain, as of most lines.
+bool lies_inside(const PathNetwork& network, const std::vector<EdgePlace>& places, std::size_t p) {
+  for (std::size_t i = network.edge_begin[p]; i < network.edge_begin[p + 1]; ++i)
+    if (places[network.edge_of_step[i]] == EdgePlace::kOutside) return false;
+  return network.edge_begin[p] != network.edge_begin[p + 1];
+}
+
 }  // namespace
 
 std::vector<EdgePlace> edge_places(const PathNetwork& network) {
@@ -144,12 +151,13 @@ std::vector<double> clip_to_domain(PathNetwork& network, const std::vector<EdgeP
   for (std::size_t p = 0; p < network.paths.size(); ++p) {
     const Path& path = network.paths[p];
     const RawLine& raw = network.raw[path.raw];
-    if (raw.point.valid()) {
-      kept.push_back(path);
+    if (raw.point.valid() || (raw.line.valid() && !path.outline && lies_inside(network, places, p))) {
+      kept.push_back(std::move(network.paths[p]));
       continue;
     }
     Path run;
     run.raw = path.raw;
+    run.steps.reserve(path.steps.size());
     for (std::size_t i = 0; i + 1 < path.steps.size(); ++i) {
       const EdgePlace place = places[network.edge_of_step[network.edge_begin[p] + i]];
       const bool boundary = path.outline && place == EdgePlace::kBoundary;

@@ -1,11 +1,14 @@
 #include "kernels/linework/ledger.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <span>
 #include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "engine/parallel/parallel.hpp"
 #include "kernels/linework/raw_stretch.hpp"
 
 namespace quarry::linework {
@@ -16,30 +19,10 @@ void sort_unique(std::vector<LineId>& lines) {
   lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
 }
 
-// Lines by node and by edge, each as pairs sorted by place.
-template <class Place>
-class LinesAt {
- public:
-  void add(Place place, LineId line) { pairs_.emplace_back(place, line); }
-  void finish() {
-    std::sort(pairs_.begin(), pairs_.end());
-    pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
-  }
-  // Adds the lines other than `line` at a place; whether there were any.
-  bool others(Place place, LineId line, std::vector<LineId>& result) const {
-    auto at = std::lower_bound(pairs_.begin(), pairs_.end(), std::pair(place, LineId(0U)));
-    bool any = false;
-    for (; at != pairs_.end() && at->first == place; ++at) {
-      if (at->second == line) continue;
-      result.push_back(at->second);
-      any = true;
-    }
-    return any;
-  }
-
- private:
-  std::vector<std::pair<Place, LineId>> pairs_;
-};
+// Adds the lines other than `line` among those at a place.
+void add_others(std::span<const LineId> there, LineId line, std::vector<LineId>& result) {
+  std::copy_if(there.begin(), there.end(), std::back_inserter(result), [&](LineId id) { return id != line; });
+}
 
 struct Meetings {
   std::vector<LineId> along;    // lines that share pieces
@@ -59,63 +42,82 @@ std::string text_of(const std::vector<LineId>& lines) {
   return text;
 }
 
+// Calls visit(path number, line) for each path with edges that stands for an input line.
+template <class Visit>
+void for_each_line_path(const PathNetwork& network, Visit&& visit) {
+  for (std::size_t p = 0; p < network.paths.size(); ++p) {
+    const LineId line = network.raw[network.paths[p].raw].line;
+    if (line.valid() && network.paths[p].steps.size() > 1) visit(p, line);
+  }
+}
+
+LinesAt lines_at_nodes(const PathNetwork& network) {
+  std::vector<std::pair<std::uint32_t, LineId>> pairs;
+  for_each_line_path(network, [&](std::size_t p, LineId line) {
+    for (const PathStep& step : network.paths[p].steps) pairs.emplace_back(step.node.value(), line);
+  });
+  return {network.nodes.size(), pairs};
+}
+
 class LedgerMaker {
  public:
-  LedgerMaker(const LineSet& lines, const PathNetwork& network) : lines_(lines), network_(network) {
-    for (std::size_t p = 0; p < network.paths.size(); ++p) {
-      const Path& path = network.paths[p];
-      const LineId line = network.raw[path.raw].line;
-      if (!line.valid() || path.steps.size() < 2) continue;
-      for (const PathStep& step : path.steps) at_node_.add(step.node, line);
-      for (std::size_t i = network.edge_begin[p]; i < network.edge_begin[p + 1]; ++i)
-        on_edge_.add(network.edge_of_step[i], line);
-    }
-    at_node_.finish();
-    on_edge_.finish();
-  }
+  LedgerMaker(const LineSet& lines, const PathNetwork& network)
+      : lines_(lines),
+        network_(network),
+        at_node_(lines_at_nodes(network)),
+        on_edge_(lines_on_edges(network)) {}
 
   IdVector<LineId, LedgerEntry> run(const std::vector<double>& clipped, const Reasons& reasons) {
     IdVector<LineId, LedgerEntry> ledger(lines_.lines.size());
-    IdVector<LineId, Meetings> meetings(lines_.lines.size());
-    IdVector<LineId, std::uint8_t> alive(lines_.lines.size());
-    for (std::size_t begin = 0; begin < network_.paths.size();) {
-      std::size_t end = begin + 1;
-      while (end < network_.paths.size() && network_.paths[end].raw == network_.paths[begin].raw) ++end;
-      follow_line(begin, end, alive, meetings, ledger);
-      begin = end;
-    }
     for (std::size_t r = 0; r < network_.raw.size(); ++r)
       if (network_.raw[r].line.valid()) ledger[network_.raw[r].line].clipped_length += clipped[r];
+    IdVector<LineId, std::uint8_t> alive(lines_.lines.size());
+    for_each_line_path(network_, [&](std::size_t, LineId line) { alive[line] = 1; });
+    const std::vector<std::size_t> begin = paths_of_raw_lines();
+    parallel::for_each(
+        begin.size() - 1,
+        [&](std::size_t i) {
+          const LineId line = network_.raw[network_.paths[begin[i]].raw].line;
+          if (!line.valid() || alive[line] == 0) return;
+          Meetings meetings;
+          follow_line(begin[i], begin[i + 1], meetings, ledger[line]);
+          judge(meetings, ledger[line]);
+        },
+        kLinesPerChunk);
     for (const LineId line : IdRange<LineId>(ledger.size())) {
-      if (alive[line] != 0) {
-        judge(meetings[line], ledger[line]);
-      } else {
-        ledger[line].fate = LineFate::kDropped;
-        ledger[line].why = reasons[line];
-      }
+      if (alive[line] != 0) continue;
+      ledger[line].fate = LineFate::kDropped;
+      ledger[line].why = reasons[line];
     }
     return ledger;
   }
 
  private:
+  static constexpr std::size_t kLinesPerChunk = 256;
+
+  // Where the paths of each raw line that has any begin, and the end of the last.
+  [[nodiscard]] std::vector<std::size_t> paths_of_raw_lines() const {
+    std::vector<std::size_t> begin;
+    for (std::size_t p = 0; p < network_.paths.size(); ++p)
+      if (p == 0 || network_.paths[p].raw != network_.paths[p - 1].raw) begin.push_back(p);
+    begin.push_back(network_.paths.size());
+    return begin;
+  }
+
   // Paths [begin, end) are those of one raw line, in its order. Clipping cuts a line into several where it
   // passes from the outline into the domain or leaves that; the ends of the line are those of them all
   // together, and where one path ends and the next begins is between the ends.
-  void follow_line(std::size_t begin, std::size_t end, IdVector<LineId, std::uint8_t>& alive,
-                   IdVector<LineId, Meetings>& meetings, IdVector<LineId, LedgerEntry>& ledger) const {
+  void follow_line(std::size_t begin, std::size_t end, Meetings& meetings, LedgerEntry& entry) const {
     const LineId line = network_.raw[network_.paths[begin].raw].line;
-    if (!line.valid()) return;
     const auto has_edges = [&](std::size_t p) { return network_.paths[p].steps.size() > 1; };
     while (begin < end && !has_edges(begin)) ++begin;
     while (begin < end && !has_edges(end - 1)) --end;
-    if (begin == end) return;
-    alive[line] = 1;
     const NodeId first = network_.paths[begin].steps.front().node;
     const NodeId last = network_.paths[end - 1].steps.back().node;
     for (std::size_t p = begin; p < end; ++p) {
       if (!has_edges(p)) continue;
-      follow_pieces(p, line, meetings[line], ledger[line]);
-      follow_nodes(p, line, first != last && p == begin, first != last && p + 1 == end, meetings[line]);
+      follow_pieces(p, line, meetings, entry);
+      follow_nodes(p, line, first != last && p == begin, first != last && p + 1 == end, meetings);
     }
   }
 
@@ -123,7 +125,7 @@ class LedgerMaker {
     const Path& path = network_.paths[p];
     const std::span<const Vec2> raw = network_.raw[path.raw].points;
     for (std::size_t i = 0; i + 1 < path.steps.size(); ++i) {
-      (void)on_edge_.others(network_.edge_of_step[network_.edge_begin[p] + i], line, meetings.along);
+      add_others(on_edge_.at(network_.edge_of_step[network_.edge_begin[p] + i]), line, meetings.along);
       const PathStep& from = path.steps[i];
       const PathStep& to = path.steps[i + 1];
       const Vec2 a = network_.nodes[from.node];
@@ -144,8 +146,8 @@ class LedgerMaker {
       const bool end = (starts && i == 0) || (ends && i == last);
       const Vec2 p_now = network_.nodes[path.steps[i].node];
       const bool moved = !(raw_point(raw, path.steps[i].at) == p_now);
-      (void)at_node_.others(path.steps[i].node, line,
-                            !end ? meetings.between : (moved ? meetings.onto : meetings.at_ends));
+      add_others(at_node_.at(path.steps[i].node.value()), line,
+                 !end ? meetings.between : (moved ? meetings.onto : meetings.at_ends));
     }
   }
 
@@ -175,11 +177,20 @@ class LedgerMaker {
 
   const LineSet& lines_;
   const PathNetwork& network_;
-  LinesAt<NodeId> at_node_;
-  LinesAt<std::uint32_t> on_edge_;
+  LinesAt at_node_;
+  LinesAt on_edge_;
 };
 
 }  // namespace
+
+LinesAt lines_on_edges(const PathNetwork& network) {
+  std::vector<std::pair<std::uint32_t, LineId>> pairs;
+  for_each_line_path(network, [&](std::size_t p, LineId line) {
+    for (std::size_t i = network.edge_begin[p]; i < network.edge_begin[p + 1]; ++i)
+      pairs.emplace_back(network.edge_of_step[i], line);
+  });
+  return {network.edges.size(), pairs};
+}
 
 void note_lost_lines(const PathNetwork& network, const std::string& why, Reasons& reasons) {
   IdVector<LineId, std::uint8_t> alive(reasons.size());

@@ -6,14 +6,26 @@
 
 namespace quarry::linework {
 
-LinkedPaths::LinkedPaths(PathNetwork& network) : network_(network), steps_at_(network.nodes.size()) {
+namespace {
+
+// How many steps of all paths are at each node.
+std::vector<std::uint32_t> count_steps(const PathNetwork& network) {
+  std::vector<std::uint32_t> counts(network.nodes.size(), 0);
+  for (const Path& path : network.paths)
+    for (const PathStep& step : path.steps) ++counts[step.node.value()];
+  return counts;
+}
+
+}  // namespace
+
+LinkedPaths::LinkedPaths(PathNetwork& network) : network_(network), steps_at_(count_steps(network)) {
   for (std::size_t p = 0; p < network.paths.size(); ++p) {
     const Path& path = network.paths[p];
     const auto base = static_cast<std::uint32_t>(steps_.size());
     const auto count = static_cast<std::uint32_t>(path.steps.size());
     first_.push_back(count == 0 ? kNone : base);
     for (std::uint32_t i = 0; i < count; ++i) {
-      steps_at_[path.steps[i].node.value()].push_back(base + i);
+      steps_at_.add(path.steps[i].node.value(), base + i);
       steps_.push_back({path.steps[i].node, static_cast<std::uint32_t>(p), i == 0 ? kNone : base + i - 1,
                         i + 1 == count ? kNone : base + i + 1, path.steps[i].at});
     }
@@ -130,12 +142,12 @@ void LinkedPaths::unlink(std::uint32_t step) {
 
 void LinkedPaths::remove_node(NodeId node) {
   for (const std::uint32_t step : at(node)) unlink(step);
-  steps_at_[node.value()].clear();
+  steps_at_.clear(node.value());
 }
 
 void LinkedPaths::merge(NodeId gone, NodeId kept) {
-  std::vector<std::uint32_t> steps;
-  steps.swap(steps_at_[gone.value()]);
+  const std::vector<std::uint32_t> steps(at(gone).begin(), at(gone).end());
+  steps_at_.clear(gone.value());
   for (const std::uint32_t step : steps) {
     const std::uint32_t earlier = before(step);
     const std::uint32_t later = after(step);
@@ -145,11 +157,11 @@ void LinkedPaths::merge(NodeId gone, NodeId kept) {
       unlink(step);
       if (repeats_earlier && repeats_later) {
         unlink(later);
-        std::erase(steps_at_[kept.value()], later);
+        steps_at_.remove(kept.value(), later);
       }
     } else {
       steps_[step].node = kept;
-      steps_at_[kept.value()].push_back(step);
+      steps_at_.add(kept.value(), step);
     }
   }
 }

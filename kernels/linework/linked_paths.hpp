@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
+#include "kernels/linework/growing_rows.hpp"
 #include "kernels/linework/path_network.hpp"
 
 namespace quarry::linework {
@@ -16,7 +18,7 @@ class LinkedPaths {
   void write_back();
 
   // The steps at a node.
-  [[nodiscard]] const std::vector<std::uint32_t>& at(NodeId node) const { return steps_at_[node.value()]; }
+  [[nodiscard]] std::span<const std::uint32_t> at(NodeId node) const { return steps_at_.at(node.value()); }
   [[nodiscard]] std::uint32_t before(std::uint32_t step) const { return steps_[step].before; }
   [[nodiscard]] std::uint32_t after(std::uint32_t step) const { return steps_[step].after; }
   [[nodiscard]] NodeId node_before(std::uint32_t step) const { return steps_[steps_[step].before].node; }
@@ -24,6 +26,9 @@ class LinkedPaths {
   [[nodiscard]] double parameter(std::uint32_t step) const { return steps_[step].at; }
   [[nodiscard]] bool is_end(std::uint32_t step) const {
     return steps_[step].before == kNone || steps_[step].after == kNone;
+  }
+  [[nodiscard]] std::uint32_t raw_number(std::uint32_t step) const {
+    return network_.paths[steps_[step].path].raw;
   }
   [[nodiscard]] bool rigid(std::uint32_t step) const { return raw_of(step).rigid; }
 
@@ -68,7 +73,7 @@ class LinkedPaths {
   PathNetwork& network_;
   std::vector<Step> steps_;
   std::vector<std::uint32_t> first_;  // of each path
-  std::vector<std::vector<std::uint32_t>> steps_at_;
+  GrowingRows steps_at_;
 };
 
 }  // namespace quarry::linework

@@ -3,8 +3,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <limits>
-#include <unordered_map>
 #include <vector>
 
 #include "engine/base/random.hpp"
@@ -12,10 +10,12 @@
 
 namespace quarry::linework {
 
+// Open addressing; the cells are four radii wide, so that a question concerns two of them on average, and the
+// few points that lie in each if all are a radius apart.
 class NodeBuckets {
  public:
   // radius: of nearest(), in the units of the points.
-  NodeBuckets(Vec2 origin, double radius) : origin_(origin), radius_(radius) {}
+  NodeBuckets(Vec2 origin, double radius) : origin_(origin), radius_(radius), slots_(kFirstSlots) {}
 
   void insert(NodeId node, Vec2 at) {
     if (next_.size() <= node.value()) {
@@ -23,14 +23,13 @@ class NodeBuckets {
       points_.resize(node.value() + 1);
     }
     points_[node.value()] = at;
-    NodeId& head = heads_[key(column(at.x - origin_.x), column(at.y - origin_.y))];
+    NodeId& head = head_of(at);
     next_[node.value()] = head;
     head = node;
   }
 
   void remove(NodeId node) {
-    const Vec2 at = points_[node.value()];
-    NodeId* link = &heads_[key(column(at.x - origin_.x), column(at.y - origin_.y))];
+    NodeId* link = &head_of(points_[node.value()]);
     while (*link != node) link = &next_[link->value()];
     *link = next_[node.value()];
   }
@@ -40,13 +39,11 @@ class NodeBuckets {
   [[nodiscard]] NodeId nearest(Vec2 p, NodeId except = {}) const {
     NodeId best;
     double best_distance = radius_ * radius_;
-    const std::int64_t c = column(p.x - origin_.x);
-    const std::int64_t r = column(p.y - origin_.y);
-    for (std::int64_t i = c - 1; i <= c + 1; ++i) {
-      for (std::int64_t j = r - 1; j <= r + 1; ++j) {
-        const auto cell = heads_.find(key(i, j));
-        if (cell == heads_.end()) continue;
-        for (NodeId n = cell->second; n.valid(); n = next_[n.value()]) {
+    const std::int64_t last_column = cell(p.x - origin_.x + radius_);
+    const std::int64_t last_row = cell(p.y - origin_.y + radius_);
+    for (std::int64_t c = cell(p.x - origin_.x - radius_); c <= last_column; ++c) {
+      for (std::int64_t r = cell(p.y - origin_.y - radius_); r <= last_row; ++r) {
+        for (NodeId n = slots_[slot(key(c, r))].head; n.valid(); n = next_[n.value()]) {
           const double d = squared_length(points_[n.value()] - p);
           if (n == except || d > best_distance || (d == best_distance && !(best.valid() && n < best)))
             continue;
@@ -59,17 +56,55 @@ class NodeBuckets {
   }
 
  private:
-  [[nodiscard]] std::int64_t column(double offset) const {
-    return static_cast<std::int64_t>(std::floor(offset / radius_));
+  struct Slot {
+    std::uint64_t key = kNoKey;
+    NodeId head;
+  };
+  static constexpr std::uint64_t kNoKey = 0;
+  static constexpr std::size_t kFirstSlots = 1024;  // a power of two
+  static constexpr double kCellSide = 4;            // in radii
+
+  [[nodiscard]] std::int64_t cell(double offset) const {
+    return static_cast<std::int64_t>(std::floor(offset / (kCellSide * radius_)));
   }
   // Cells that share a key cost time, nothing else: distances decide.
   static std::uint64_t key(std::int64_t column, std::int64_t row) {
-    return mix64(static_cast<std::uint64_t>(column)) ^ static_cast<std::uint64_t>(row);
+    const std::uint64_t mixed =
+        mix64(mix64(static_cast<std::uint64_t>(column)) ^ static_cast<std::uint64_t>(row));
+    return mixed == kNoKey ? 1 : mixed;
+  }
+  // Where a key is, or would be.
+  [[nodiscard]] std::size_t slot(std::uint64_t key) const {
+    const std::size_t mask = slots_.size() - 1;
+    std::size_t i = key & mask;
+    while (slots_[i].key != key && slots_[i].key != kNoKey) i = (i + 1) & mask;
+    return i;
+  }
+
+  NodeId& head_of(Vec2 at) {
+    const std::uint64_t wanted = key(cell(at.x - origin_.x), cell(at.y - origin_.y));
+    std::size_t i = slot(wanted);
+    if (slots_[i].key == kNoKey) {
+      if (2 * ++used_ > slots_.size()) {
+        grow();
+        i = slot(wanted);
+      }
+      slots_[i].key = wanted;
+    }
+    return slots_[i].head;
+  }
+
+  void grow() {
+    std::vector<Slot> old(2 * slots_.size());
+    old.swap(slots_);
+    for (const Slot& filled : old)
+      if (filled.key != kNoKey) slots_[slot(filled.key)] = filled;
   }
 
   Vec2 origin_;
   double radius_;
-  std::unordered_map<std::uint64_t, NodeId> heads_;
+  std::vector<Slot> slots_;
+  std::size_t used_ = 0;
   std::vector<NodeId> next_;
   std::vector<Vec2> points_;
 };

@@ -6,7 +6,8 @@ NodePlaces::NodePlaces(PathNetwork& network, double apart)
     : network_(network),
       buckets_(network.nodes.empty() ? Vec2{} : network.nodes[NodeId(0U)], apart),
       end_of_one_(network.nodes.size(), 0),
-      on_outline_(network.nodes.size(), 0) {
+      on_outline_(network.nodes.size(), 0),
+      apart_(apart) {
   for (const Path& path : network.paths) {
     for (const PathStep& step : path.steps)
       if (path.outline) on_outline_[step.node.value()] = 1;
@@ -33,11 +34,15 @@ NodeId NodePlaces::at(Vec2 p, bool outline) {
 }
 
 void NodePlaces::begin_merging() {
+  merged_ = false;
+  moved_.clear();
   substitute_ = IdVector<NodeId, NodeId>(network_.nodes.size());
   for (const NodeId node : IdRange<NodeId>(substitute_.size())) substitute_[node] = node;
 }
 
 void NodePlaces::finish_merging() {
+  network_.uncheck_paths_through(moved_);
+  if (!merged_) return;
   for (const NodeId node : IdRange<NodeId>(substitute_.size())) substitute_[node] = root(node);
   network_.substitute(substitute_);
 }
@@ -56,6 +61,7 @@ NodeId NodePlaces::put_on_outline(NodeId node, Vec2 place) {
   for (NodeId near = buckets_.nearest(place, node); near.valid(); near = buckets_.nearest(place, node)) {
     const bool stays = on_outline(near);
     const NodeId gone = stays ? node : near;
+    merged_ = true;
     substitute_[gone] = stays ? near : node;
     buckets_.remove(gone);
     if (stays) return near;
@@ -66,6 +72,7 @@ NodeId NodePlaces::put_on_outline(NodeId node, Vec2 place) {
 }
 
 void NodePlaces::put(NodeId node, Vec2 to) {
+  moved_.push_back(node);
   buckets_.remove(node);
   network_.nodes[node] = to;
   buckets_.insert(node, to);

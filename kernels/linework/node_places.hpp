@@ -15,6 +15,8 @@ class NodePlaces {
   // apart: nodes nearer than this are one, in input units.
   NodePlaces(PathNetwork& network, double apart);
 
+  // Nodes nearer than this are one.
+  [[nodiscard]] double apart() const { return apart_; }
   [[nodiscard]] bool on_outline(NodeId node) const { return on_outline_[node.value()] != 0; }
   // Exactly one path ends at the node, and the node has not moved yet.
   [[nodiscard]] bool ends_one_path(NodeId node) const { return end_of_one_[node.value()] == 1; }
@@ -25,7 +27,8 @@ class NodePlaces {
   // The node nearest to p, or a new one. On the outline if asked for.
   NodeId at(Vec2 p, bool outline);
 
-  // Moves and merges happen between these two; the second puts what became one into the network.
+  // Moves and merges happen between these two; the second puts what became one into the network, and has the
+  // paths through what moved checked anew.
   void begin_merging();
   void finish_merging();
   // Moves a node to a foot on an edge, once: on the outline whatever is near, elsewhere only if the foot is
@@ -43,6 +46,10 @@ class NodePlaces {
   NodeBuckets buckets_;
   std::vector<std::uint32_t> end_of_one_;  // how many paths end at the node; 0 once it has moved
   std::vector<std::uint8_t> on_outline_;
+  double apart_;
+  // Since begin_merging().
+  bool merged_ = false;
+  std::vector<NodeId> moved_;
   IdVector<NodeId, NodeId> substitute_;  // a node that merges into another: that other
 };
 

@@ -10,7 +10,10 @@
 
 #include "engine/base/error.hpp"
 #include "engine/geometry/segment.hpp"
+#include "engine/parallel/parallel.hpp"
 #include "kernels/linework/conflicts.hpp"
+#include "kernels/linework/gather.hpp"
+#include "kernels/linework/lonely_points.hpp"
 #include "kernels/linework/nearest_course.hpp"
 #include "kernels/linework/node_buckets.hpp"
 #include "kernels/linework/node_places.hpp"
@@ -31,6 +34,12 @@ constexpr double kDrift = 1.75;
 constexpr double kTooFar = 3;
 // Spacing of the samples of a raw line when it is laid, in snapping distances.
 constexpr double kSampling = 0.25;
+// And at most so many samples in a stretch: one that is longer than some thousand snapping distances gets
+// nodes farther apart, or a few such lines would become millions of nodes.
+constexpr double kMostSamples = 4096;
+
+constexpr std::size_t kCheckedPerChunk = 256;
+constexpr std::size_t kCrossingsPerChunk = 512;
 
 class Noder {
  public:
@@ -39,16 +48,16 @@ class Noder {
         snap_(snap),
         too_far_(std::min(budget, kTooFar * snap)),
         counts_(counts),
-        places_(network, std::numbers::sqrt2 * snap) {}
+        places_(network, std::numbers::sqrt2 * snap),
+        search_(network, snap) {}
 
   void run(const Progress& progress) {
     for (;;) {
       progress.throw_if_cancelled();
       network_.build_edges();
-      const std::vector<Segment> segments = network_.segments();
-      if (segments.empty()) return;
-      const SegmentGrid grid(segments, 4 * snap_);
-      const bool settled = !snap_nodes(segments, grid) && !node_crossings(segments, grid);
+      if (network_.edges.empty()) return;
+      search_.update();
+      const bool settled = !snap_nodes(search_.segments()) && !node_crossings(search_.segments());
       if (!lay_far_paths_anew({}) && settled) return;
       ++counts_.rounds;
     }
@@ -62,8 +71,8 @@ class Noder {
             network_.marked[hit.node.value()] == 0);
   }
 
-  bool snap_nodes(const std::vector<Segment>& segments, const SegmentGrid& grid) {
-    const std::vector<Hit> hits = find_hits(network_, segments, grid, snap_);
+  bool snap_nodes(const std::vector<Segment>& segments) {
+    const std::vector<Hit> hits = search_.hits();
     if (hits.empty()) return false;
     require_rounds(network_.nodes[hits.front().node]);
     if (bending_rounds_ == 0) {
@@ -91,22 +100,59 @@ class Noder {
   bool lay_far_paths_anew(std::span<const Hit> stuck) {
     std::vector<std::uint8_t> stuck_edges(stuck.empty() ? 0 : network_.edges.size(), 0);
     for (const Hit& hit : stuck) stuck_edges[hit.edge] = 1;
+    const auto mark = [&](std::size_t p, std::vector<std::uint8_t>& marked) {
+      return mark_far_edges(p, stuck_edges, marked);
+    };
+    check_paths();
     bool changed = false;
     std::vector<std::uint8_t> marked;
-    for (std::size_t p = 0; p < network_.paths.size(); ++p) {
-      const Path& path = network_.paths[p];
-      if (network_.raw[path.raw].rigid || path.steps.size() < 2) continue;
-      marked.assign(path.steps.size() - 1, 0);
-      bool any = false;
-      for (std::size_t i = 0; i < marked.size(); ++i) {
-        const bool is_stuck =
-            !stuck.empty() && stuck_edges[network_.edge_of_step[network_.edge_begin[p] + i]] != 0;
-        marked[i] = is_stuck || deviation_of(path, i) > too_far_ ? 1 : 0;
-        any = any || marked[i] != 0;
-      }
-      if (any && lay_anew(network_.paths[p], marked)) changed = true;
-    }
+    // Laying one anew changes no other.
+    for (const std::uint32_t p : paths_where(mark))
+      if (mark(p, marked) && lay_anew(network_.paths[p], marked)) changed = true;
     return changed;
+  }
+
+  // Most paths stay as they are from one round to the next, and need not be measured again.
+  void check_paths() {
+    parallel::for_each(
+        network_.paths.size(),
+        [&](std::size_t p) {
+          Path& path = network_.paths[p];
+          if (path.checked) return;
+          const double limit = std::min(too_far_, kDrift * snap_);
+          path.checked = true;
+          for (std::size_t i = 0; i + 1 < path.steps.size() && path.checked; ++i)
+            path.checked = deviation_of(path, i) <= limit;
+        },
+        kCheckedPerChunk);
+  }
+
+  // Marks the edges of a path that are to be laid anew; whether there are any.
+  bool mark_far_edges(std::size_t p, const std::vector<std::uint8_t>& stuck_edges,
+                      std::vector<std::uint8_t>& marked) const {
+    const Path& path = network_.paths[p];
+    if (network_.raw[path.raw].rigid || path.steps.size() < 2) return false;
+    if (path.checked && stuck_edges.empty()) return false;
+    marked.assign(path.steps.size() - 1, 0);
+    bool any = false;
+    for (std::size_t i = 0; i < marked.size(); ++i) {
+      const bool is_stuck =
+          !stuck_edges.empty() && stuck_edges[network_.edge_of_step[network_.edge_begin[p] + i]] != 0;
+      marked[i] = is_stuck || (!path.checked && deviation_of(path, i) > too_far_) ? 1 : 0;
+      any = any || marked[i] != 0;
+    }
+    return any;
+  }
+
+  // The paths of which holds(path number, scratch) is true, ascending.
+  template <class Holds>
+  std::vector<std::uint32_t> paths_where(Holds&& holds) const {
+    return gather<std::uint32_t>(network_.paths.size(),
+                                 [&](std::size_t begin, std::size_t end, std::vector<std::uint32_t>& found) {
+                                   std::vector<std::uint8_t> scratch;
+                                   for (std::size_t p = begin; p < end; ++p)
+                                     if (holds(p, scratch)) found.push_back(static_cast<std::uint32_t>(p));
+                                 });
   }
 
   double deviation_of(const Path& path, std::size_t i) const {
@@ -129,13 +175,16 @@ class Noder {
     std::size_t next = 0;  // step of the path that follows
     for (const Window& window : windows) {
       for (; next <= window.first; ++next) steps.push_back(path.steps[next]);
-      const auto laid = nearest_course(network_, raw, path.steps[window.first].at, path.steps[window.last].at,
-                                       kSampling * snap_, node_at);
+      const double from = path.steps[window.first].at;
+      const double to = path.steps[window.last].at;
+      const double spacing = std::max(kSampling * snap_, stretch_length(raw, from, to) / kMostSamples);
+      const auto laid = nearest_course(network_, raw, from, to, spacing, node_at);
       steps.insert(steps.end(), laid.begin(), laid.end());
       next = window.last;
     }
     for (; next < path.steps.size(); ++next) steps.push_back(path.steps[next]);
     path.steps = std::move(steps);
+    path.checked = false;
     network_.drop_repeated_steps(path);
     const bool changed = !std::equal(before.begin(), before.end(), path.steps.begin(), path.steps.end(),
                                      [](const PathStep& a, const PathStep& b) { return a.node == b.node; });
@@ -147,18 +196,32 @@ class Noder {
   // along with that line (the drift of iterated snap rounding: Packer 2008). Where an edge is too far from
   // the stretch that it stands for, the path is brought back to the raw line by a node on it.
   void anchor_drifting_paths() {
-    for (Path& path : network_.paths) {
-      if (network_.raw[path.raw].rigid) continue;
-      for (std::size_t i = 0; i + 1 < path.steps.size(); ++i) {
-        const double at = anchor(path, i);
-        if (!(at > path.steps[i].at && at < path.steps[i + 1].at)) continue;
-        const Vec2 place = raw_point(network_.raw[path.raw].points, at);
-        if (places_.nearest(place).valid()) continue;
-        const NodeId node = places_.add(place, path.outline);
-        path.steps.insert(path.steps.begin() + static_cast<std::ptrdiff_t>(i) + 1, {node, at});
-        ++counts_.anchors;
-      }
+    const auto drifts = [&](std::size_t p, std::vector<std::uint8_t>&) {
+      const Path& path = network_.paths[p];
+      if (network_.raw[path.raw].rigid || path.checked) return false;
+      for (std::size_t i = 0; i + 1 < path.steps.size(); ++i)
+        if (is_between(path, i, anchor(path, i))) return true;
+      return false;
+    };
+    // Anchoring one changes no other, but for nodes that another then need not add.
+    for (const std::uint32_t p : paths_where(drifts)) anchor_path(network_.paths[p]);
+  }
+
+  void anchor_path(Path& path) {
+    for (std::size_t i = 0; i + 1 < path.steps.size(); ++i) {
+      const double at = anchor(path, i);
+      if (!is_between(path, i, at)) continue;
+      const Vec2 place = raw_point(network_.raw[path.raw].points, at);
+      if (places_.nearest(place).valid()) continue;
+      const NodeId node = places_.add(place, path.outline);
+      path.checked = false;
+      path.steps.insert(path.steps.begin() + static_cast<std::ptrdiff_t>(i) + 1, {node, at});
+      ++counts_.anchors;
     }
+  }
+
+  static bool is_between(const Path& path, std::size_t i, double at) {
+    return at > path.steps[i].at && at < path.steps[i + 1].at;
   }
 
   // The parameter at which a path should return to its raw line between two steps; that of the first if it
@@ -208,40 +271,77 @@ class Noder {
                     format_point(place.x, place.y), snap_));
   }
 
-  bool node_crossings(const std::vector<Segment>& segments, const SegmentGrid& grid) {
-    const std::vector<Crossing> crossings = find_crossings(segments, grid, snap_);
+  bool node_crossings(const std::vector<Segment>& segments) {
+    const std::vector<Crossing> crossings = search_.crossings();
     if (crossings.empty()) return false;
     require_rounds(segments[crossings.front().first].from);
     bending_rounds_ = kRoundsOfBending;
     places_.begin_merging();
-    std::vector<Insertion> insertions;
-    for (const Crossing& crossing : crossings) {
-      const NodeId node = node_of_crossing(crossing, segments);
-      for (const std::uint32_t e : {crossing.first, crossing.second})
-        if (network_.edges[e].from != node && network_.edges[e].to != node)
-          insertions.push_back(insertion_of(node, e, segments));
+    std::vector<Vec2> points(crossings.size());
+    parallel::for_each(
+        points.size(), [&](std::size_t i) { points[i] = point_of(crossings[i], segments); },
+        kCrossingsPerChunk);
+    std::vector<std::uint8_t> lonely = lonely_points(points, places_.apart());
+    parallel::for_each(
+        points.size(),
+        [&](std::size_t i) { lonely[i] = lonely[i] != 0 && !places_.nearest(points[i]).valid(); },
+        kCrossingsPerChunk);
+    // Nodes are made and joined one after the other; where nothing is near, that is all.
+    std::vector<NodeId> nodes(crossings.size());
+    std::vector<Insertion> insertions(2 * crossings.size());
+    for (std::size_t i = 0; i < crossings.size(); ++i) {
+      nodes[i] =
+          lonely[i] != 0 ? add_crossing(crossings[i], points[i]) : node_of_crossing(crossings[i], points[i]);
+      // Before another crossing moves the node.
+      if (lonely[i] == 0) set_insertions(crossings[i], nodes[i], segments, &insertions[2 * i]);
     }
+    parallel::for_each(
+        points.size(),
+        [&](std::size_t i) {
+          if (lonely[i] != 0) set_insertions(crossings[i], nodes[i], segments, &insertions[2 * i]);
+        },
+        kCrossingsPerChunk);
+    std::erase_if(insertions, [](const Insertion& insertion) { return !insertion.node.valid(); });
     network_.insert(insertions);
     places_.finish_merging();
     return true;
   }
 
-  // An existing node near the crossing, or a new one.
-  NodeId node_of_crossing(const Crossing& crossing, const std::vector<Segment>& segments) {
+  // Two: for both edges, without a node for one that it ends already.
+  void set_insertions(const Crossing& crossing, NodeId node, const std::vector<Segment>& segments,
+                      Insertion* two) const {
+    for (const std::uint32_t e : {crossing.first, crossing.second}) {
+      const bool ends = network_.edges[e].from == node || network_.edges[e].to == node;
+      *two++ = ends ? Insertion{e, 0, NodeId()} : insertion_of(node, e, segments);
+    }
+  }
+
+  // Where two edges cross: on the one that is of the outline, if one is.
+  Vec2 point_of(const Crossing& crossing, const std::vector<Segment>& segments) const {
     const Segment first = segments[crossing.first];
     const Segment second = segments[crossing.second];
-    Vec2 x = crossing_point(first.from, first.to, second.from, second.to);
-    const bool first_outline = network_.edges[crossing.first].outline;
-    const bool second_outline = network_.edges[crossing.second].outline;
-    if (first_outline) x = closest_point(x, first.from, first.to);
-    if (!first_outline && second_outline) x = closest_point(x, second.from, second.to);
-    const NodeId near = places_.nearest(x);
-    const bool outline = first_outline || second_outline;
-    if (near.valid() && (!outline || places_.on_outline(near))) return near;
-    // Rather the node onto the outline than the outline through the node.
-    if (near.valid()) return places_.put_on_outline(near, x);
+    const Vec2 x = crossing_point(first.from, first.to, second.from, second.to);
+    if (network_.edges[crossing.first].outline) return closest_point(x, first.from, first.to);
+    if (network_.edges[crossing.second].outline) return closest_point(x, second.from, second.to);
+    return x;
+  }
+
+  bool crosses_outline(const Crossing& crossing) const {
+    return network_.edges[crossing.first].outline || network_.edges[crossing.second].outline;
+  }
+
+  NodeId add_crossing(const Crossing& crossing, Vec2 x) {
     ++counts_.crossings;
-    return places_.add(x, outline);
+    return places_.add(x, crosses_outline(crossing));
+  }
+
+  // An existing node near the crossing, or a new one.
+  NodeId node_of_crossing(const Crossing& crossing, Vec2 x) {
+    const NodeId near = places_.nearest(x);
+    if (!near.valid()) return add_crossing(crossing, x);
+    if (!crosses_outline(crossing) || places_.on_outline(near)) return near;
+    // Rather the node onto the outline than the outline through the node.
+    return places_.put_on_outline(near, x);
   }
 
   PathNetwork& network_;
@@ -249,45 +349,85 @@ class Noder {
   double too_far_;
   CleanCounts& counts_;
   NodePlaces places_;
+  ConflictSearch search_;
   std::uint32_t bending_rounds_ = kRoundsOfBending;
+};
+
+// Points become nodes one after the other, unless a node is near. That takes one thread, but most points have
+// no other near them: those are found first, by all, and need not be looked up.
+class Clustering {
+ public:
+  Clustering(std::vector<RawLine> raw, double apart) : apart_(apart), buckets_(origin_of(raw), apart) {
+    network_.raw = std::move(raw);
+    for (const RawLine& line : network_.raw) {
+      begin_.push_back(points_.size());
+      points_.insert(points_.end(), line.points.begin(), line.points.end());
+    }
+    begin_.push_back(points_.size());
+    node_of_.resize(points_.size());
+  }
+
+  PathNetwork run() {
+    lonely_ = lonely_points(points_, apart_);
+    for (std::size_t r = 0; r < network_.raw.size(); ++r)
+      if (network_.raw[r].outline)
+        for (std::size_t i = begin_[r]; i < begin_[r + 1]; ++i) (void)node_at(i);
+    // Rather a line to a point of the input than that to the line.
+    for (std::size_t r = 0; r < network_.raw.size(); ++r)
+      if (network_.raw[r].point.valid()) (void)node_at(begin_[r]);
+    for (std::size_t r = 0; r < network_.raw.size(); ++r)
+      if (begin_[r] != begin_[r + 1])
+        for (const std::size_t i : {begin_[r], begin_[r + 1] - 1}) (void)node_at(i);
+    network_.paths.resize(network_.raw.size());
+    for (std::size_t r = 0; r < network_.raw.size(); ++r) {
+      Path& path = network_.paths[r];
+      path.raw = static_cast<std::uint32_t>(r);
+      path.outline = network_.raw[r].outline;
+      path.steps.reserve(begin_[r + 1] - begin_[r]);
+      for (std::size_t i = begin_[r]; i < begin_[r + 1]; ++i)
+        path.steps.push_back({node_at(i), static_cast<double>(i - begin_[r])});
+    }
+    network_.drop_repeated_steps();
+    return std::move(network_);
+  }
+
+ private:
+  // Somewhere among the points, so that offsets from it are small.
+  static Vec2 origin_of(const std::vector<RawLine>& raw) {
+    Vec2 origin;
+    for (const RawLine& line : raw)
+      if (!line.points.empty()) origin = line.points.front();
+    return origin;
+  }
+
+  NodeId node_at(std::size_t i) {
+    NodeId& node = node_of_[i];
+    if (lonely_[i] != 0) {
+      if (!node.valid()) node = network_.nodes.push_back(points_[i]);
+      return node;
+    }
+    // Asked anew each time: a nearer node may have come since.
+    node = buckets_.nearest(points_[i]);
+    if (!node.valid()) {
+      node = network_.nodes.push_back(points_[i]);
+      buckets_.insert(node, points_[i]);
+    }
+    return node;
+  }
+
+  double apart_;
+  PathNetwork network_;
+  NodeBuckets buckets_;
+  std::vector<Vec2> points_;        // of all raw lines
+  std::vector<std::size_t> begin_;  // of each raw line in them
+  std::vector<std::uint8_t> lonely_;
+  std::vector<NodeId> node_of_;
 };
 
 }  // namespace
 
 PathNetwork cluster_points(std::vector<RawLine> raw, double snap) {
-  PathNetwork network;
-  network.raw = std::move(raw);
-  Vec2 origin;
-  for (const RawLine& line : network.raw)
-    if (!line.points.empty()) origin = line.points.front();
-  NodeBuckets buckets(origin, std::numbers::sqrt2 * snap);
-  const auto node_at = [&](Vec2 p) {
-    NodeId node = buckets.nearest(p);
-    if (!node.valid()) {
-      node = network.nodes.push_back(p);
-      buckets.insert(node, p);
-    }
-    return node;
-  };
-  for (const RawLine& line : network.raw)
-    if (line.outline)
-      for (const Vec2 p : line.points) (void)node_at(p);
-  // Rather a line to a point of the input than that to the line.
-  for (const RawLine& line : network.raw)
-    if (line.point.valid()) (void)node_at(line.points.front());
-  for (const RawLine& line : network.raw)
-    if (!line.points.empty())
-      for (const Vec2 p : {line.points.front(), line.points.back()}) (void)node_at(p);
-  for (std::size_t r = 0; r < network.raw.size(); ++r) {
-    Path path;
-    path.raw = static_cast<std::uint32_t>(r);
-    path.outline = network.raw[r].outline;
-    for (std::size_t i = 0; i < network.raw[r].points.size(); ++i)
-      path.steps.push_back({node_at(network.raw[r].points[i]), static_cast<double>(i)});
-    network.paths.push_back(std::move(path));
-  }
-  network.drop_repeated_steps();
-  return network;
+  return Clustering(std::move(raw), std::numbers::sqrt2 * snap).run();
 }
 
 void node_and_snap(PathNetwork& network, double snap, double budget, CleanCounts& counts,

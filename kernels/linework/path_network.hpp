@@ -7,7 +7,6 @@
 #include <span>
 #include <vector>
 
-#include "engine/geometry/grid.hpp"
 #include "engine/geometry/line_set.hpp"
 
 namespace quarry::linework {
@@ -31,6 +30,8 @@ struct PathStep {
 struct Path {
   std::uint32_t raw = 0;
   bool outline = false;
+  // Its edges were found to be near their stretches, and neither they nor their nodes changed since.
+  bool checked = false;
   std::vector<PathStep> steps;
 };
 
@@ -64,14 +65,23 @@ struct PathNetwork {
   void build_edges();
   // Ends an edge, or is an input point: what lines have to keep apart from.
   [[nodiscard]] bool used(NodeId node) const { return degree[node.value()] > 0 || marked[node.value()] != 0; }
-  [[nodiscard]] std::vector<Segment> segments() const;
 
   // Puts nodes into edges of the last build_edges(), in every path that takes them. Sorts what it is given.
   void insert(std::vector<Insertion>& insertions);
   // Replaces each node by substitute[node] and drops steps that stay where they are.
   void substitute(const IdVector<NodeId, NodeId>& substitute);
+  // Takes back that paths through any of these nodes were checked.
+  void uncheck_paths_through(const std::vector<NodeId>& moved);
   void drop_repeated_steps();
   void drop_repeated_steps(Path& path) const;
+
+ private:
+  std::vector<std::size_t> sort_by_edge(std::vector<Insertion>& insertions) const;
+  // Whether path p takes an edge with a flag.
+  [[nodiscard]] bool takes_any(std::size_t p, const std::vector<std::uint8_t>& flags) const;
+  // begin: where the insertions of each edge begin; steps: scratch.
+  void insert_into(std::size_t p, const std::vector<Insertion>& insertions,
+                   const std::vector<std::size_t>& begin, std::vector<PathStep>& steps);
 };
 
 }  // namespace quarry::linework

@@ -12,6 +12,7 @@
 #include "engine/geometry/grid.hpp"
 #include "engine/geometry/predicates.hpp"
 #include "engine/geometry/segment.hpp"
+#include "kernels/linework/gather.hpp"
 #include "kernels/linework/linked_paths.hpp"
 
 namespace quarry::linework {
@@ -26,11 +27,14 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 
 class Thinner {
  public:
-  Thinner(PathNetwork& network, const CleanOptions& options, CleanCounts& counts, const Progress& progress)
+  // cut_dangles: of each raw line, to be added to.
+  Thinner(PathNetwork& network, const CleanOptions& options, CleanCounts& counts, const Progress& progress,
+          std::vector<std::uint32_t>& cut_dangles)
       : network_(network),
         options_(options),
         counts_(counts),
         progress_(progress),
+        cut_dangles_(cut_dangles),
         links_(network),
         grid_(network.nodes.raw(), 4 * options.snap),
         version_(network.nodes.size(), 0) {}
@@ -53,6 +57,8 @@ class Thinner {
       return std::tuple(a.cost, a.stretch, a.node) > std::tuple(b.cost, b.stretch, b.node);
     }
   };
+
+  using Queue = std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>>;
 
   // A bend: two neighbours, passed by every path from one to the other.
   [[nodiscard]] std::optional<std::array<NodeId, 2>> neighbours_of_bend(NodeId node) const {
@@ -148,18 +154,32 @@ class Thinner {
     return smallest_angle_at(center, others) < std::min(was, limit);
   }
 
-  void push(NodeId node) {
-    const auto ends = neighbours_of_bend(node);
-    ++version_[node.value()];
-    if (!ends) return;
+  // If the node is a bend that may go.
+  [[nodiscard]] std::optional<Candidate> candidate(NodeId node) const {
+    if (!neighbours_of_bend(node)) return std::nullopt;
     const Joined joined = join_at(node, options_.tolerance);
-    if (!joined.allowed) return;
+    if (!joined.allowed) return std::nullopt;
     const double cost = std::max(joined.deviation, options_.tolerance / 16);
-    queue_.push({cost, joined.stretch, node, version_[node.value()]});
+    return Candidate{cost, joined.stretch, node, version_[node.value()]};
+  }
+
+  void push(NodeId node) {
+    ++version_[node.value()];
+    if (const auto bend = candidate(node)) queue_.push(*bend);
+  }
+
+  void push_all() {
+    for (std::uint32_t& version : version_) ++version;
+    queue_ = Queue(std::greater<>(),
+                   gather<Candidate>(network_.nodes.size(),
+                                     [&](std::size_t begin, std::size_t end, std::vector<Candidate>& found) {
+                                       for (std::size_t n = begin; n < end; ++n)
+                                         if (const auto bend = candidate(NodeId(n))) found.push_back(*bend);
+                                     }));
   }
 
   void simplify() {
-    for (const NodeId node : IdRange<NodeId>(network_.nodes.size())) push(node);
+    push_all();
     while (!queue_.empty()) {
       const Candidate next = queue_.top();
       queue_.pop();
@@ -216,6 +236,8 @@ class Thinner {
     const auto ends = neighbours_of_bend(inner);
     if (ends && join_at(inner, limit()).allowed && remove_bend(inner, *ends, kNarrowForCollapse)) return true;
     if (!merge_allowed(end, inner)) return false;
+    if (!ends)
+      for (const std::uint32_t step : links_.at(end)) ++cut_dangles_[links_.raw_number(step)];
     links_.merge(end, inner);
     return true;
   }
@@ -290,18 +312,21 @@ class Thinner {
   const CleanOptions& options_;
   CleanCounts& counts_;
   const Progress& progress_;
+  std::vector<std::uint32_t>& cut_dangles_;
   LinkedPaths links_;
   PointGrid grid_;
   std::vector<std::uint32_t> version_;
-  std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> queue_;
+  Queue queue_;
   mutable std::vector<std::uint32_t> near_;
 };
 
 }  // namespace
 
-void thin_out(PathNetwork& network, const CleanOptions& options, CleanCounts& counts,
-              const Progress& progress) {
-  if (!network.nodes.empty()) Thinner(network, options, counts, progress).run();
+std::vector<std::uint32_t> thin_out(PathNetwork& network, const CleanOptions& options, CleanCounts& counts,
+                                    const Progress& progress) {
+  std::vector<std::uint32_t> cut_dangles(network.raw.size(), 0);
+  if (!network.nodes.empty()) Thinner(network, options, counts, progress, cut_dangles).run();
+  return cut_dangles;
 }
 
 }  // namespace quarry::linework

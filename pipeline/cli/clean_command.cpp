@@ -8,6 +8,7 @@
 #include "pipeline/cli/commands.hpp"
 #include "pipeline/cli/config_file.hpp"
 #include "pipeline/cli/mesh_arguments.hpp"
+#include "pipeline/cli/node_file.hpp"
 #include "pipeline/cli/outputs.hpp"
 #include "pipeline/cli/progress_bar.hpp"
 #include "pipeline/cli/summary_text.hpp"
@@ -19,7 +20,7 @@ namespace {
 struct CleanArguments {
   SectionOptions section;
   CommonArguments common;
-  std::string output, report, config;
+  std::string output, nodes, report, config;
 };
 
 void check(CleanArguments& arguments) {
@@ -30,6 +31,9 @@ void check(CleanArguments& arguments) {
     throw Error(ErrorKind::kUsage, "no output is given: name it with -o OUT.geojson");
   if (!arguments.output.ends_with(".geojson") && !arguments.output.ends_with(".json"))
     throw Error(ErrorKind::kUsage, arguments.output + ": cleaned lines are written as .geojson or .json");
+  if (!arguments.nodes.empty() && !arguments.nodes.ends_with(".geojson") &&
+      !arguments.nodes.ends_with(".json"))
+    throw Error(ErrorKind::kUsage, arguments.nodes + ": nodes are written as .geojson or .json");
   if (!section.size) {
     // The other lengths follow from the snapping distance as they would from the size that has it as its
     // default.
@@ -40,7 +44,7 @@ void check(CleanArguments& arguments) {
   section.max_elements = std::numeric_limits<double>::infinity();
   std::vector<std::string> inputs = section.inputs;
   inputs.push_back(section.boundary);
-  check_outputs({arguments.output, arguments.report}, inputs);
+  check_outputs({arguments.output, arguments.nodes, arguments.report}, inputs);
 }
 
 void write_job_report(const CleanArguments& arguments, const SectionResult& result, const std::string& hash) {
@@ -63,9 +67,12 @@ void run(CleanArguments& arguments) {
   GeojsonWriteOptions options{&result.lines, system_urn(result.system), {}};
   for (const PointEntry& point : result.cleaned.points) options.points.push_back(point.node);
   write_lines_geojson(arguments.output, result.cleaned.lines, options);
+  if (!arguments.nodes.empty())
+    write_node_file(arguments.nodes, result.cleaned.lines, system_urn(result.system));
   write_job_report(arguments, result, hash);
   bar.clear();
   tell_lines(result);
+  tell_nodes(result);
   tell_effort(result, arguments.common.resolved_threads());
   log::info("wrote {}", arguments.output);
 }
@@ -78,6 +85,11 @@ void add_clean_command(CLI::App& program) {
   add_line_options(*command, arguments->section);
   command->add_option("-o,--output", arguments->output, "the cleaned lines")
       ->type_name("OUT.geojson")
+      ->group("Output");
+  command
+      ->add_option("--nodes", arguments->nodes,
+                   "points where lines end, abut and cross, with their class: I, Y, X; E on the outline")
+      ->type_name("FILE.geojson")
       ->group("Output");
   command->add_option("--report", arguments->report, "what became of each line; JSON")
       ->type_name("FILE.json")

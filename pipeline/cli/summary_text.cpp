@@ -50,6 +50,16 @@ void tell_lines(const SectionResult& result) {
   for (const std::string& note : result.cleaned.notes) log::warn("{}", note);
 }
 
+void tell_nodes(const SectionResult& result) {
+  const CleanCounts& counts = result.cleaned.counts;
+  log::info("nodes: {} isolated (I), {} abutting (Y), {} crossing (X); {} on the outline (E)",
+            counts.nodes.isolated, counts.nodes.abutting, counts.nodes.crossing, counts.nodes.edge);
+  if (counts.duplicate_lines + counts.empty_segments + counts.cut_dangles > 0)
+    log::info("mended: {} duplicate lines, {} segments of no length, {} dangling ends shorter than {:.4g}",
+              counts.duplicate_lines, counts.empty_segments, counts.cut_dangles,
+              result.cleaned.options.min_edge);
+}
+
 void tell_quality(const QualitySummary& quality, const char* when) {
   const ShapeSummary& q = quality.all;
   log::info("{}mesh: {} quads, {} triangles, {} vertices, {} line edges", when, quality.quads.faces,

@@ -12,6 +12,9 @@ namespace quarry::cli {
 // known.
 void tell_lines(const SectionResult& result);
 
+// How many nodes of each class the cleaned lines have, and what was mended.
+void tell_nodes(const SectionResult& result);
+
 // Counts and quality; when: what stands before each line.
 void tell_quality(const QualitySummary& quality, const char* when = "");
 

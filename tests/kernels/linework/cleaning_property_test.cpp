@@ -6,23 +6,11 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/parallel/parallel.hpp"
 #include "tests/kernels/linework/line_samples.hpp"
 #include "tests/kernels/linework/random_lines.hpp"
 
 namespace quarry {
 namespace {
-
-void expect_same(const CleanedLines& a, const CleanedLines& b) {
-  EXPECT_EQ(a.lines.nodes.raw(), b.lines.nodes.raw());
-  EXPECT_EQ(a.lines.line_begin, b.lines.line_begin);
-  EXPECT_EQ(a.lines.line_numbers, b.lines.line_numbers);
-  ASSERT_EQ(a.lines.pieces.size(), b.lines.pieces.size());
-  for (const PieceId p : IdRange<PieceId>(a.lines.pieces.size())) {
-    EXPECT_EQ(a.lines.pieces[p].from, b.lines.pieces[p].from);
-    EXPECT_EQ(a.lines.pieces[p].to, b.lines.pieces[p].to);
-  }
-}
 
 void clean_soups(std::uint64_t first, std::uint64_t last, Vec2 origin, double size) {
   const CleanOptions options{0.05 * size, 0.1 * size, 0.05 * size};
@@ -60,23 +48,6 @@ TEST(CleaningPolygons, StayWithinTheBudget) {
     ASSERT_NO_THROW(result = clean_lines(lines, boundary_outline(polygons, options.snap), options));
     expect_faithful(lines, result);
     if (HasFailure()) return;
-  }
-}
-
-TEST(CleaningSoups, AreTheSameOnAnyNumberOfThreads) {
-  LineSet raw;
-  raw.files = {"made.geojson"};
-  for (std::uint64_t seed = 0; seed < 15; ++seed)
-    for (const InputLine& line : soup(seed, {}).lines) raw.lines.push_back(line);
-  const CleanOptions options{0.005, 0.01, 0.005};
-  CleanedLines serial;
-  parallel::with_threads(1, [&] { serial = clean_lines(raw, box_outline(raw, 0.005), options); });
-  for (const int threads : {2, 4, 7}) {
-    const parallel::ParticipationProbe probe;
-    CleanedLines other;
-    parallel::with_threads(threads, [&] { other = clean_lines(raw, box_outline(raw, 0.005), options); });
-    expect_same(serial, other);
-    EXPECT_GT(probe.chunks_of_other_threads(), 0U);
   }
 }
 

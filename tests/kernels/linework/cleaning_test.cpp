@@ -191,6 +191,46 @@ TEST(Cleaning, EndsWhenItIsCancelled) {
   EXPECT_THROW((void)clean_lines(raw, box_outline(raw, 0.05), kOptions, Progress({}, &token)), Error);
 }
 
+TEST(Cleaning, TellsOfADuplicateInEitherDirection) {
+  const CleanedLines result = cleaned(lines_of({{{0, 0}, {3, 1}, {6, 0}}, {{6, 0}, {3, 1}, {0, 0}}}));
+  EXPECT_EQ(result.counts.duplicate_lines, 1U);
+  EXPECT_NE(result.ledger[line(1)].why.find("has the points of line 0"), std::string::npos);
+}
+
+TEST(Cleaning, TellsOfSegmentsOfNoLength) {
+  const CleanedLines result = cleaned(lines_of({{{0, 0}, {0, 0}, {4, 0}, {4, 0}}}));
+  EXPECT_EQ(result.counts.empty_segments, 2U);
+  EXPECT_EQ(result.ledger[line(0)].why, "2 of its segments have no length");
+}
+
+TEST(Cleaning, CutsAShortDangleAndTellsItsLine) {
+  const CleanedLines result = cleaned(lines_of({{{0, 0}, {8, 0}}, {{4, -0.08}, {4, 4}}}));
+  EXPECT_EQ(interior_pieces(result.lines), 3U);
+  EXPECT_EQ(result.counts.cut_dangles, 1U);
+  EXPECT_NE(result.ledger[line(1)].why.find("a dangling end"), std::string::npos);
+  EXPECT_EQ(result.counts.nodes.abutting, 1U);
+}
+
+TEST(Cleaning, ResolvesACrossingUnderADegree) {
+  const CleanedLines result = cleaned(lines_of({{{0, 0}, {100, 0}}, {{0, -0.5}, {100, 0.5}}}));
+  EXPECT_EQ(result.counts.nodes.crossing, 1U);
+  EXPECT_LT(result.counts.smallest_angle, 1);
+}
+
+TEST(NodeClasses, AreCountedAsFracturePeopleDo) {
+  // A crossing, an abutment, a bend, six tips, and one end on the outline.
+  const LineSet raw =
+      lines_of({{{0, 0}, {8, 0}}, {{2, -2}, {2, 2}, {3, 4}}, {{6, 0}, {6, 3}}, {{1, -1}, {-9, -1}}});
+  Outline outline;
+  outline.rigid = true;
+  outline.rings.push_back({{{-9, -9}, {20, -9}, {20, 9}, {-9, 9}, {-9, -9}}, 0, LineId()});
+  const NodeClassCounts counts = clean_lines(raw, outline, kOptions).counts.nodes;
+  EXPECT_EQ(counts.crossing, 1U);
+  EXPECT_EQ(counts.abutting, 1U);
+  EXPECT_EQ(counts.isolated, 6U);
+  EXPECT_EQ(counts.edge, 1U);
+}
+
 TEST(RequireNoded, FindsWhatIsBroken) {
   NodedLines lines;
   lines.nodes = IdVector<NodeId, Vec2>(Points{{0, 0}, {4, 4}, {0, 4}, {4, 0}});
