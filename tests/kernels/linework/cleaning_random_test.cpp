@@ -2,37 +2,17 @@
 // cleaning ends without failure, the result is fully noded, and every line is there or named as dropped.
 // rapidcheck prints the numbers of a set that fails, and its own seed.
 #include <cstdlib>
-#include <ostream>
 #include <string>
 
 #include <gtest/gtest.h>
-#include <rapidcheck.h>
 
 #include "engine/base/error.hpp"
 #include "engine/base/stopwatch.hpp"
-#include "tests/kernels/linework/dirty_lines.hpp"
+#include "tests/kernels/linework/dirty_sets.hpp"
 
 namespace quarry {
 
-void showValue(const DirtySet& set, std::ostream& out) {
-  out << "DirtySet{.seed = " << set.seed << "U, .lines = " << set.lines << ", .snap = " << set.snap
-      << ", .scale = " << set.scale << ", .offset = " << set.offset << ", .min_edge = " << set.min_edge
-      << "}";
-}
-
 namespace {
-
-rc::Gen<DirtySet> any_set() {
-  using rc::gen::inRange;
-  // Few lines are as likely as many.
-  const auto lines = rc::gen::map(
-      inRange(0, 100), [](int x) { return static_cast<int>(5 * std::pow(100.0, x / 99.0) + 0.5); });
-  return rc::gen::build<DirtySet>(
-      rc::gen::set(&DirtySet::seed, inRange<std::uint64_t>(0, 1'000'000'000)),
-      rc::gen::set(&DirtySet::lines, lines), rc::gen::set(&DirtySet::snap, inRange(2, 10)),
-      rc::gen::set(&DirtySet::scale, inRange(-3, 5)), rc::gen::set(&DirtySet::offset, inRange(0, 8)),
-      rc::gen::set(&DirtySet::min_edge, rc::gen::element(1.0, 2.0, 5.0)));
-}
 
 // Nothing if all is well.
 std::string what_is_wrong(const DirtySet& set) {

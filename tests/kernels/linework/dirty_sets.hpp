@@ -1,0 +1,31 @@
+// Dirty line sets for rapidcheck, which prints the numbers of one that fails.
+#pragma once
+
+#include <cmath>
+#include <ostream>
+
+#include <rapidcheck.h>
+
+#include "tests/kernels/linework/dirty_lines.hpp"
+
+namespace quarry {
+
+inline void showValue(const DirtySet& set, std::ostream& out) {
+  out << "DirtySet{.seed = " << set.seed << "U, .lines = " << set.lines << ", .snap = " << set.snap
+      << ", .scale = " << set.scale << ", .offset = " << set.offset << ", .min_edge = " << set.min_edge
+      << "}";
+}
+
+inline rc::Gen<DirtySet> any_set() {
+  using rc::gen::inRange;
+  // Few lines are as likely as many.
+  const auto lines = rc::gen::map(
+      inRange(0, 100), [](int x) { return static_cast<int>(5 * std::pow(100.0, x / 99.0) + 0.5); });
+  return rc::gen::build<DirtySet>(
+      rc::gen::set(&DirtySet::seed, inRange<std::uint64_t>(0, 1'000'000'000)),
+      rc::gen::set(&DirtySet::lines, lines), rc::gen::set(&DirtySet::snap, inRange(2, 10)),
+      rc::gen::set(&DirtySet::scale, inRange(-3, 5)), rc::gen::set(&DirtySet::offset, inRange(0, 8)),
+      rc::gen::set(&DirtySet::min_edge, rc::gen::element(1.0, 2.0, 5.0)));
+}
+
+}  // namespace quarry
