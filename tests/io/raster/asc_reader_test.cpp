@@ -74,7 +74,7 @@ TEST_F(AscReader, RefusesAHeaderThatMakesNoSense) {
   expect_refused("", "the file ends");
   expect_refused("PK\x03\x04", "ncols is missing");
   expect_refused("ncols 3\nnrows 2\nxllcorner 10\nyllcorner 20\ndx 2\ndy 2\n1 2 3 4 5 6\n",
-                 "cellsize is missing");
+                 "its cells are not square");
   expect_refused("ncols 3\nncols 3\n", "ncols stands twice");
   expect_refused("ncols 2.5\nnrows 1\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2 3\n", "ncols is 2.5");
   expect_refused("ncols -2\nnrows 1\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2 3\n", "ncols is -2");
