@@ -41,16 +41,14 @@ std::string what_is_wrong(const DirtySet& set) {
 
 TEST(DirtyLineSets, AreCleanedWithEveryLineThereOrNamed) {
   ::setenv("RC_PARAMS", "seed=1 max_success=1500", 0);
-  double longest = 0;
+  SlowSets slow;
   EXPECT_TRUE(rc::check([&] {
     const DirtySet set = *any_set();
     const Stopwatch watch;
     const std::string wrong = what_is_wrong(set);
-    longest = std::max(longest, watch.seconds());
+    slow.note(set, watch.seconds());
     if (!wrong.empty()) RC_FAIL(wrong);
   }));
-  RecordProperty("longest", std::to_string(longest));
-  std::printf("the longest took %.2f s\n", longest);
 }
 
 TEST(DirtyLineSets, AreLaidAnewInNoTimeWhereLinesAreManySnappingDistancesLong) {

@@ -1,7 +1,9 @@
 // Dirty line sets for rapidcheck, which prints the numbers of one that fails.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <iostream>
 #include <ostream>
 
 #include <rapidcheck.h>
@@ -10,11 +12,27 @@
 
 namespace quarry {
 
-inline void showValue(const DirtySet& set, std::ostream& out) {
-  out << "DirtySet{.seed = " << set.seed << "U, .lines = " << set.lines << ", .snap = " << set.snap
-      << ", .scale = " << set.scale << ", .offset = " << set.offset << ", .min_edge = " << set.min_edge
-      << "}";
+// As rapidcheck prints it.
+inline std::ostream& operator<<(std::ostream& out, const DirtySet& set) {
+  return out << "DirtySet{.seed = " << set.seed << "U, .lines = " << set.lines << ", .snap = " << set.snap
+             << ", .scale = " << set.scale << ", .offset = " << set.offset << ", .min_edge = " << set.min_edge
+             << "}";
 }
+
+// Names the sets that take long: ten seconds are too much for any.
+class SlowSets {
+ public:
+  void note(const DirtySet& set, double seconds) {
+    longest_ = std::max(longest_, seconds);
+    if (seconds < kSlow) return;
+    std::cout << seconds << " s: " << set << std::endl;
+  }
+  ~SlowSets() { std::cout << "the longest took " << longest_ << " s\n"; }
+
+ private:
+  static constexpr double kSlow = 5;
+  double longest_ = 0;
+};
 
 inline rc::Gen<DirtySet> any_set() {
   using rc::gen::inRange;

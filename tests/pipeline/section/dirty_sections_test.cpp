@@ -1,7 +1,5 @@
 // Dirty line sets and points, from the file to the mesh (RC_PARAMS="max_success=1000", as ./run fuzz has it;
 // fewer by default): a valid mesh of quads with every line and point in it, or an error that says why not.
-#include <algorithm>
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -71,15 +69,14 @@ std::string what_is_wrong(const DirtySet& set) {
 
 TEST(DirtySections, EndInAMeshOrAReasonedError) {
   ::setenv("RC_PARAMS", "seed=1 max_success=40", 0);
-  double longest = 0;
+  SlowSets slow;
   EXPECT_TRUE(rc::check([&] {
     const DirtySet set = *any_set();
     const Stopwatch watch;
     const std::string wrong = what_is_wrong(set);
-    longest = std::max(longest, watch.seconds());
+    slow.note(set, watch.seconds());
     if (!wrong.empty()) RC_FAIL(wrong);
   }));
-  std::printf("the longest took %.2f s\n", longest);
 }
 
 }  // namespace
