@@ -9,6 +9,7 @@
 
 #include "engine/base/id.hpp"
 #include "engine/geometry/line_set.hpp"
+#include "engine/geometry/pieces_around.hpp"
 #include "engine/mesh/mesh.hpp"
 
 namespace quarry {
@@ -82,14 +83,12 @@ void for_each_constrained_neighbour(const Mesh& mesh, const ConstraintTags& tags
 // Finds the piece that joins two nodes; pieces are unique by their ends.
 class PieceFinder {
  public:
-  explicit PieceFinder(const NodedLines& lines);
+  explicit PieceFinder(const NodedLines& lines) : lines_(&lines), around_(lines) {}
 
   // The piece between two nodes, or none.
   [[nodiscard]] PieceId between(NodeId a, NodeId b) const;
   // The pieces that end at a node, ascending.
-  [[nodiscard]] std::span<const PieceId> at(NodeId node) const {
-    return std::span(pieces_).subspan(begin_[node.value()], begin_[node.value() + 1] - begin_[node.value()]);
-  }
+  [[nodiscard]] std::span<const PieceId> at(NodeId node) const { return around_.at(node); }
   // The piece under a constrained edge whose ends have these supports. Two nodes: the piece between them.
   [[nodiscard]] PieceId under_edge(Support a, Support b) const {
     if (a.slides()) return a.piece();
@@ -99,8 +98,7 @@ class PieceFinder {
 
  private:
   const NodedLines* lines_;
-  std::vector<std::uint32_t> begin_;
-  std::vector<PieceId> pieces_;
+  PiecesAround around_;
 };
 
 }  // namespace quarry

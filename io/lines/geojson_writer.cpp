@@ -12,6 +12,7 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include "engine/geometry/pieces_around.hpp"
 #include "io/atomic_file.hpp"
 #include "io/text_output.hpp"
 
@@ -20,21 +21,8 @@ namespace {
 
 class Chains {
  public:
-  explicit Chains(const NodedLines& lines) : lines_(lines), used_(lines.pieces.size(), false) {
-    const std::size_t nodes = lines.nodes.size();
-    begin_.assign(nodes + 1, 0);
-    for (const Piece& piece : lines.pieces) {
-      ++begin_[piece.from.value() + 1];
-      ++begin_[piece.to.value() + 1];
-    }
-    for (std::size_t i = 0; i < nodes; ++i) begin_[i + 1] += begin_[i];
-    around_.resize(2 * lines.pieces.size());
-    std::vector<std::size_t> at(begin_.begin(), begin_.end() - 1);
-    for (const PieceId id : IdRange<PieceId>(lines.pieces.size())) {
-      around_[at[lines.pieces[id].from.value()]++] = id;
-      around_[at[lines.pieces[id].to.value()]++] = id;
-    }
-  }
+  explicit Chains(const NodedLines& lines)
+      : lines_(lines), around_(lines), used_(lines.pieces.size(), false) {}
 
   // The chain through a piece that is in none yet, as nodes; empty if it is in one.
   std::vector<NodeId> take(PieceId seed) {
@@ -62,17 +50,16 @@ class Chains {
   // The piece that goes on from a node in the same way; none at junctions, ends and where a closed chain is
   // done.
   [[nodiscard]] PieceId continuation(PieceId piece, NodeId node) const {
-    const std::size_t begin = begin_[node.value()];
-    if (begin_[node.value() + 1] - begin != 2) return {};
-    const PieceId other = around_[begin] == piece ? around_[begin + 1] : around_[begin];
+    const std::span<const PieceId> around = around_.at(node);
+    if (around.size() != 2) return {};
+    const PieceId other = around[0] == piece ? around[1] : around[0];
     const bool same = lines_.pieces[other].kind == lines_.pieces[piece].kind &&
                       std::ranges::equal(lines_.numbers(other), lines_.numbers(piece));
     return same && !used_[other.value()] ? other : PieceId();
   }
 
   const NodedLines& lines_;
-  std::vector<std::size_t> begin_;
-  std::vector<PieceId> around_;
+  PiecesAround around_;
   std::vector<bool> used_;
 };
 
@@ -98,6 +85,14 @@ std::string attribute_text(const LineSet* input, std::span<const Number> numbers
   return {};
 }
 
+// properties: as the members of an object.
+std::string point_feature(const std::string& properties, Vec2 p) {
+  return fmt::format(
+      "{{\"type\":\"Feature\",\"properties\":{{{}}},\"geometry\":{{\"type\":\"Point\",\"coordinates\":["
+      "{},{}]}}}}",
+      properties, p.x, p.y);
+}
+
 // Points by their nodes, each a feature.
 std::vector<std::string> point_features(const NodedLines& lines, const GeojsonWriteOptions& options) {
   std::map<NodeId, std::vector<PointId>> points_at;
@@ -107,18 +102,12 @@ std::vector<std::string> point_features(const NodedLines& lines, const GeojsonWr
   for (const auto& [node, points] : points_at) {
     std::vector<std::uint32_t> numbers;
     for (const PointId point : points) numbers.push_back(point.value());
-    features.push_back(
-        fmt::format("{{\"type\":\"Feature\",\"properties\":{{\"points\":[{}]{}}},\"geometry\":{{\"type\":"
-                    "\"Point\",\"coordinates\":[{},{}]}}}}",
-                    fmt::join(numbers, ","), attribute_text<PointId>(options.input, points),
-                    lines.nodes[node].x, lines.nodes[node].y));
+    features.push_back(point_feature(fmt::format("\"points\":[{}]{}", fmt::join(numbers, ","),
+                                                 attribute_text<PointId>(options.input, points)),
+                                     lines.nodes[node]));
   }
   return features;
 }
-
-}  // namespace
-
-namespace {
 
 void begin_features(AtomicFile& file, const std::string& system) {
   file.write("{\"type\":\"FeatureCollection\",");
@@ -135,9 +124,7 @@ void write_points_geojson(const std::string& path, std::span<const Vec2> points,
   AtomicFile file(path);
   begin_features(file, system);
   write_lines(file, points.size(), [&](TextLine text, std::size_t i) {
-    text << "{\"type\":\"Feature\",\"properties\":{" << properties(i)
-         << "},\"geometry\":{\"type\":\"Point\",\"coordinates\":[" << points[i].x << "," << points[i].y
-         << "]}}" << (i + 1 < points.size() ? ",\n" : "\n");
+    text << point_feature(properties(i), points[i]) << (i + 1 < points.size() ? ",\n" : "\n");
   });
   file.write("]}\n");
   file.commit();

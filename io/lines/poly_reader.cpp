@@ -213,11 +213,12 @@ class PolyReader {
   void append_points() {
     std::vector<bool> used(points_.size(), false);
     for (const MarkedSegment& segment : segments_) used[segment.from] = used[segment.to] = true;
+    std::size_t feature = found_.size();
     for (std::size_t i = 0; i < points_.size(); ++i) {
       if (used[i]) continue;
       InputPoint point{points_[i]};
       point.file = source_.file;
-      point.feature = static_cast<std::uint32_t>(found_.size() + lines_.points.size());
+      point.feature = static_cast<std::uint32_t>(feature++);
       lines_.points.push_back(point);
     }
   }

@@ -40,12 +40,10 @@ void require_usable(const CleanOptions& options) {
 
 double largest_coordinate(const LineSet& lines, const Outline& outline) {
   double largest = 0;
-  const auto look_at = [&](const std::vector<Vec2>& points) {
-    for (const Vec2 p : points) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
-  };
-  for (const InputLine& line : lines.lines) look_at(line.points);
-  for (const OutlineRing& ring : outline.rings) look_at(ring.points);
-  for (const InputPoint& point : lines.points) look_at({point.place});
+  const auto look_at = [&](Vec2 p) { largest = std::max({largest, std::abs(p.x), std::abs(p.y)}); };
+  for (const InputLine& line : lines.lines) std::ranges::for_each(line.points, look_at);
+  for (const OutlineRing& ring : outline.rings) std::ranges::for_each(ring.points, look_at);
+  for (const InputPoint& point : lines.points) look_at(point.place);
   return largest;
 }
 

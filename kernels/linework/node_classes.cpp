@@ -1,7 +1,7 @@
 #include "kernels/linework/node_classes.hpp"
 
+#include "engine/geometry/pieces_around.hpp"
 #include "engine/parallel/parallel.hpp"
-#include "kernels/linework/pieces_around.hpp"
 
 namespace quarry {
 namespace {

@@ -8,11 +8,11 @@
 
 #include "engine/base/error.hpp"
 #include "engine/geometry/grid.hpp"
+#include "engine/geometry/pieces_around.hpp"
 #include "engine/geometry/segment.hpp"
 #include "engine/parallel/parallel.hpp"
 #include "engine/parallel/sort.hpp"
 #include "kernels/linework/clean_lines.hpp"
-#include "kernels/linework/pieces_around.hpp"
 
 namespace quarry {
 namespace {

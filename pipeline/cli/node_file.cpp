@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "engine/geometry/pieces_around.hpp"
 #include "io/lines/geojson_writer.hpp"
 #include "kernels/linework/node_classes.hpp"
-#include "kernels/linework/pieces_around.hpp"
 
 namespace quarry::cli {
 namespace {

@@ -65,6 +65,8 @@ TEST_F(InputPoints, OfPolyFilesAreVerticesOfNoSegment) {
   ASSERT_EQ(lines.points.size(), 2U);
   EXPECT_EQ(place(lines, 0), (Vec2{9, 1}));
   EXPECT_EQ(place(lines, 1), (Vec2{2, 8}));
+  const std::string path = (folder_ / "a.poly").string();
+  EXPECT_EQ(read_lines({path, path}).points[PointId(3U)].feature, 2U) << "counted anew in each file";
 }
 
 TEST_F(InputPoints, OfShapefilesAreRead) {

@@ -1,13 +1,11 @@
 // Ten thousand dirty line sets (RC_PARAMS="max_success=10000", as ./run fuzz has it; fewer by default):
 // cleaning ends without failure, the result is fully noded, and every line is there or named as dropped.
 // rapidcheck prints the numbers of a set that fails, and its own seed.
-#include <cstdlib>
 #include <string>
 
 #include <gtest/gtest.h>
 
 #include "engine/base/error.hpp"
-#include "engine/base/stopwatch.hpp"
 #include "tests/kernels/linework/dirty_sets.hpp"
 
 namespace quarry {
@@ -40,15 +38,7 @@ std::string what_is_wrong(const DirtySet& set) {
 }
 
 TEST(DirtyLineSets, AreCleanedWithEveryLineThereOrNamed) {
-  ::setenv("RC_PARAMS", "seed=1 max_success=1500", 0);
-  SlowSets slow;
-  EXPECT_TRUE(rc::check([&] {
-    const DirtySet set = *any_set();
-    const Stopwatch watch;
-    const std::string wrong = what_is_wrong(set);
-    slow.note(set, watch.seconds());
-    if (!wrong.empty()) RC_FAIL(wrong);
-  }));
+  expect_all_right("seed=1 max_success=1500", what_is_wrong);
 }
 
 TEST(DirtyLineSets, AreLaidAnewInNoTimeWhereLinesAreManySnappingDistancesLong) {

@@ -3,11 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <iostream>
 #include <ostream>
+#include <string>
 
+#include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include "engine/base/stopwatch.hpp"
 #include "tests/kernels/linework/dirty_lines.hpp"
 
 namespace quarry {
@@ -44,6 +48,21 @@ inline rc::Gen<DirtySet> any_set() {
       rc::gen::set(&DirtySet::lines, lines), rc::gen::set(&DirtySet::snap, inRange(2, 10)),
       rc::gen::set(&DirtySet::scale, inRange(-3, 5)), rc::gen::set(&DirtySet::offset, inRange(0, 8)),
       rc::gen::set(&DirtySet::min_edge, rc::gen::element(1.0, 2.0, 5.0)));
+}
+
+// Draws sets, as RC_PARAMS says or else the parameters given, and names the first of which something is
+// wrong. what_is_wrong(set): a text, empty if all is well.
+template <class WhatIsWrong>
+void expect_all_right(const char* parameters, WhatIsWrong&& what_is_wrong) {
+  ::setenv("RC_PARAMS", parameters, 0);
+  SlowSets slow;
+  EXPECT_TRUE(rc::check([&] {
+    const DirtySet set = *any_set();
+    const Stopwatch watch;
+    const std::string wrong = what_is_wrong(set);
+    slow.note(set, watch.seconds());
+    if (!wrong.empty()) RC_FAIL(wrong);
+  }));
 }
 
 }  // namespace quarry

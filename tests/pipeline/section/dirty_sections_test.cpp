@@ -1,6 +1,5 @@
 // Dirty line sets and points, from the file to the mesh (RC_PARAMS="max_success=1000", as ./run fuzz has it;
 // fewer by default): a valid mesh of quads with every line and point in it, or an error that says why not.
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -9,7 +8,6 @@
 #include <unistd.h>
 
 #include "engine/base/error.hpp"
-#include "engine/base/stopwatch.hpp"
 #include "engine/mesh/validate.hpp"
 #include "pipeline/section/section.hpp"
 #include "tests/kernels/linework/dirty_sets.hpp"
@@ -67,17 +65,7 @@ std::string what_is_wrong(const DirtySet& set) {
   return wrong;
 }
 
-TEST(DirtySections, EndInAMeshOrAReasonedError) {
-  ::setenv("RC_PARAMS", "seed=1 max_success=40", 0);
-  SlowSets slow;
-  EXPECT_TRUE(rc::check([&] {
-    const DirtySet set = *any_set();
-    const Stopwatch watch;
-    const std::string wrong = what_is_wrong(set);
-    slow.note(set, watch.seconds());
-    if (!wrong.empty()) RC_FAIL(wrong);
-  }));
-}
+TEST(DirtySections, EndInAMeshOrAReasonedError) { expect_all_right("seed=1 max_success=40", what_is_wrong); }
 
 }  // namespace
 }  // namespace quarry
