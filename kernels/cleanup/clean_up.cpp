@@ -10,12 +10,6 @@
 namespace quarry {
 namespace {
 
-void add(SweepReport& sum, const SweepReport& part) {
-  sum.sweeps += part.sweeps;
-  sum.visited += part.visited;
-  sum.moved += part.moved;
-}
-
 class CleanUp {
  public:
   CleanUp(Mesh& mesh, const NodedLines& lines, const CleanUpOptions& options, CleanUpReport& report,

@@ -104,9 +104,9 @@ void FaceReplacer::join(MeshEditor& editor, ConstraintTags tags, std::span<const
     std::uint8_t bits = 0;
     for_each_side_of(mesh, f, [&](SideId s) {
       const Side& side = *sides_.find(key_of(mesh, s));
+      if (side.constrained) bits = static_cast<std::uint8_t>(bits | (1U << s.index()));
       if (on_rim(mesh, s, side)) {
         editor.join(s, side.across);
-        if (side.constrained) bits = static_cast<std::uint8_t>(bits | (1U << s.index()));
         return;
       }
       const Side* back = sides_.find(stamped_key(mesh.target(s), mesh.origin(s)));

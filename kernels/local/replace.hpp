@@ -20,8 +20,8 @@ class FaceReplacer {
   // is sides whose other face is not in the region. The slots of old faces are used first, then
   // ids.take_face(); slots that are left over die, as do inner vertices that no fresh face uses. Dead faces
   // among the old ones are slots and nothing else. Vertices
-  // that are new, or dead, come alive by being used. Constraint bits of rim sides are carried over; sides
-  // inside have none. side_of stays right, most clockwise on the boundary.
+  // that are new, or dead, come alive by being used. Constraint bits of sides that stay, on the rim or
+  // inside, are carried over; new sides have none. side_of stays right, most clockwise on the boundary.
   //
   // A confined editor must have claimed the corners of the old faces. New vertices are placed and tagged by
   // the caller before the call. Returns the slots used, in the order of `fresh`, valid until the next call;

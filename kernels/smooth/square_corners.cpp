@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/smooth/corner_residual.hpp"
 #include "kernels/smooth/slide.hpp"
+#include "kernels/smooth/square_together.hpp"
 #include "kernels/smooth/star.hpp"
 #include "kernels/smooth/wanted_areas.hpp"
 
@@ -11,28 +13,6 @@ namespace quarry {
 namespace {
 
 Vec2 turned_left(Vec2 a) { return {-a.y, a.x}; }
-
-// What is squared and summed up, and its derivative: by the angle of a corner (of tan((wanted - angle) / 2))
-// or by the area of a face.
-struct Residual {
-  double value;
-  double slope;
-};
-
-// The wanted angle of a corner of a quad is 90 degrees, of a triangle 60.
-struct WantedAngle {
-  double cosine, sine;
-};
-constexpr WantedAngle kRight{0, 1};
-constexpr WantedAngle kSixty{0.5, 0.86602540378443865};
-
-// lengths: the product of the lengths of the two edges.
-Residual residual(Vec2 out, Vec2 back, double lengths, WantedAngle wanted) {
-  const double cosine = dot(out, back);
-  const double sine = cross(out, back);
-  const double below = 1.0 / (lengths + wanted.cosine * cosine + wanted.sine * sine);
-  return {(wanted.sine * cosine - wanted.cosine * sine) * below, -lengths * below};
-}
 
 // The residuals of the three corners of a face that a move of the vertex changes.
 struct FaceResiduals {
@@ -42,10 +22,10 @@ struct FaceResiduals {
     const WantedAngle wanted = face.quad ? kRight : kSixty;
     const double oo = squared_length(out);
     const double bb = squared_length(back);
-    here = residual(out, back, std::sqrt(oo * bb), wanted);
-    next = residual(face.far_next, -1.0 * out, std::sqrt(oo * face.far_next_squared), wanted);
-    previous =
-        residual(-1.0 * back, -1.0 * face.far_previous, std::sqrt(bb * face.far_previous_squared), wanted);
+    here = angle_residual(out, back, std::sqrt(oo * bb), wanted);
+    next = angle_residual(face.far_next, -1.0 * out, std::sqrt(oo * face.far_next_squared), wanted);
+    previous = angle_residual(-1.0 * back, -1.0 * face.far_previous,
+                              std::sqrt(bb * face.far_previous_squared), wanted);
   }
   [[nodiscard]] double sum_of_squares() const {
     return here.value * here.value + next.value * next.value + previous.value * previous.value;
@@ -68,30 +48,6 @@ struct Quadratic {
     yy += g.y * g.y;
   }
 };
-
-// What is asked of the area of a face, see corner_area.
-struct AreaDemand {
-  double wanted, weight;
-};
-
-// Where the faces around are by more than this factor smaller or larger than wanted, as between lines that
-// come close, there is no room for the wanted area: the demand fades with the square of what is beyond.
-constexpr double kWithinReach = 2;
-
-IdVector<FaceId, AreaDemand> area_demands(const Mesh& mesh, const SquareCornersOptions& options) {
-  IdVector<FaceId, AreaDemand> demands;
-  if (!(options.evenness > 0)) return demands;
-  const IdVector<FaceId, double> around = wanted_areas(mesh, nullptr);
-  const IdVector<FaceId, double> wanted = options.size != nullptr ? wanted_areas(mesh, options.size) : around;
-  demands.resize(mesh.face_slots());
-  parallel::for_each(mesh.face_slots(), [&](std::size_t i) {
-    const FaceId f(i);
-    if (!mesh.alive(f)) return;
-    const double reach = kWithinReach * std::min(around[f], wanted[f]) / std::max(around[f], wanted[f]);
-    demands[f] = {wanted[f], options.evenness * std::min(1.0, reach * reach)};
-  });
-  return demands;
-}
 
 class SquaringMover {
  public:
@@ -150,7 +106,7 @@ class SquaringMover {
       sum.add(residuals.next, -1.0 * out_turn);
       sum.add(residuals.previous, back_turn);
       if (options_.evenness > 0) {
-        const Residual area = area_residual(face, offset);
+        const Residual area = area_residual_at(face, offset);
         sum.add(area, area_gradient(face));
       }
     }
@@ -168,22 +124,17 @@ class SquaringMover {
     for (const StarFace& face : star_.faces()) {
       sum += FaceResiduals(face, face.next - offset, face.previous - offset).sum_of_squares();
       if (options_.evenness > 0) {
-        const double r = area_residual(face, offset).value;
+        const double r = area_residual_at(face, offset).value;
         sum += r * r;
       }
     }
     return sum;
   }
 
-  // weight * (a / w - w / a) / 2 of a face of area a where w is wanted, and its derivative by a: the
-  // logarithm of a / w where that is small, and steeper beyond.
-  [[nodiscard]] Residual area_residual(const StarFace& face, Vec2 offset) const {
+  [[nodiscard]] Residual area_residual_at(const StarFace& face, Vec2 offset) const {
     const double area = face.quad ? 0.5 * cross(face.next + face.far_next - offset, face.previous - face.next)
                                   : cross(face.next - offset, face.previous - offset);
-    const AreaDemand demand = (*areas_)[face.id];
-    const double squared = demand.wanted * demand.wanted;
-    const double scale = 0.5 * demand.weight / (area * demand.wanted);
-    return {scale * (area * area - squared), scale * (area + squared / area)};
+    return area_residual(area, (*areas_)[face.id]);
   }
   // By the place of the vertex.
   [[nodiscard]] static Vec2 area_gradient(const StarFace& face) {
@@ -214,10 +165,23 @@ class SquaringMover {
 
 SweepReport square_corners(Mesh& mesh, const NodedLines& lines, const SquareCornersOptions& options,
                            const Progress& progress) {
-  const IdVector<FaceId, AreaDemand> areas = area_demands(mesh, options);
+  const IdVector<FaceId, AreaDemand> areas = area_demands(mesh, options.evenness, options.size);
+  const Slide slide(mesh, ConstraintTags::of(mesh), lines);
   VertexColouring colouring(mesh);
-  const SquaringMover mover(Slide(mesh, ConstraintTags::of(mesh), lines), options, areas);
-  return run_sweeps(mesh, colouring, mover, options.sweeps, progress);
+  SweepReport report;
+  const auto sweep = [&](const SquareCornersOptions& by, int sweeps) {
+    add(report, run_sweeps(mesh, colouring, SquaringMover(slide, by, areas), sweeps, progress));
+  };
+  SquareTogether together(mesh, slide, areas, options);
+  SquareCornersOptions between = options;
+  between.relaxation = 1.3;
+  for (int round = 0; round < options.rounds_together; ++round) {
+    progress.throw_if_cancelled();
+    report.moved += together.run();
+    sweep(between, 1);
+  }
+  sweep(options, options.sweeps);
+  return report;
 }
 
 }  // namespace quarry

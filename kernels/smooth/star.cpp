@@ -81,15 +81,21 @@ bool is_clearly_above(const StarFace& face, Vec2 offset, double bar) {
          has_free_aspect(face, oo, bb);
 }
 
-}  // namespace
-
-double Star::measure(const StarFace& face, Vec2 offset) {
+double measure(const StarFace& face, Vec2 offset) {
   const Vec2 out = face.next - offset;
   const Vec2 back = face.previous - offset;
   return face.quad ? measure_quad(face, out, back) : measure_triangle(face, out, back);
 }
 
-namespace {
+// Fills in what is made from the places of the corners.
+void complete(Vec2 place, StarFace& face) {
+  face.next = face.at_next - place;
+  face.previous = face.at_previous - place;
+  face.far_next = face.at_opposite - face.at_next;
+  face.far_previous = face.quad ? face.at_previous - face.at_opposite : face.far_next;
+  face.far_next_squared = squared_length(face.far_next);
+  face.far_previous_squared = squared_length(face.far_previous);
+}
 
 // Fills in what a face looks like from a corner; s starts there.
 void look(const Mesh& mesh, SideId s, Vec2 place, StarFace& face) {
@@ -99,18 +105,44 @@ void look(const Mesh& mesh, SideId s, Vec2 place, StarFace& face) {
   face.at_next = mesh.point(mesh.origin(forward));
   face.at_previous = mesh.point(mesh.origin(mesh.previous(s)));
   face.at_opposite = face.quad ? mesh.point(mesh.target(forward)) : face.at_previous;
-  face.next = face.at_next - place;
-  face.previous = face.at_previous - place;
-  face.far_next = face.at_opposite - face.at_next;
-  face.far_previous = face.quad ? face.at_previous - face.at_opposite : face.far_next;
-  face.far_next_squared = squared_length(face.far_next);
-  face.far_previous_squared = squared_length(face.far_previous);
+  complete(place, face);
+}
+
+// Of a face by its corners, as seen from the first.
+StarFace look(std::span<const Vec2> corners) {
+  StarFace face;
+  face.quad = corners.size() == 4;
+  face.at_next = corners[1];
+  face.at_previous = corners.back();
+  face.at_opposite = face.quad ? corners[2] : face.at_previous;
+  complete(corners[0], face);
+  return face;
 }
 
 double far_corner(const StarFace& face) {
   return face.quad ? signed_square(cross(face.far_next, face.far_previous),
                                    face.far_next_squared * face.far_previous_squared)
                    : 1.0;
+}
+
+// True if a face is above the bar afterwards, or no worse than before. The faces need not be weighed.
+bool keeps_measure(const StarFace& before, const StarFace& after, Vec2 offset, double bar) {
+  if (is_clearly_above(after, offset, bar)) return true;
+  StarFace old = before;
+  StarFace changed = after;
+  old.far_corner = far_corner(old);
+  changed.far_corner = far_corner(changed);
+  return measure(changed, offset) >= std::min(measure(old, {}), bar);
+}
+
+bool keeps_edge_ratio(const StarFace& before, const StarFace& after, Vec2 offset, double limit) {
+  const auto edges = [](const StarFace& face, Vec2 by) {
+    return squared_edges(face, squared_length(face.next - by), squared_length(face.previous - by));
+  };
+  const SquaredEdges now = edges(after, offset);
+  if (!after.quad || now.within(limit)) return true;
+  const SquaredEdges old = edges(before, {});
+  return now.longest * old.shortest <= old.longest * now.shortest;
 }
 
 }  // namespace
@@ -170,24 +202,15 @@ double Star::badness_at(Vec2 offset) const {
 }
 
 bool Star::keeps_faces(Vec2 offset, double bar) const {
-  for (const StarFace& face : faces()) {
-    if (is_clearly_above(face, offset, bar)) continue;
-    StarFace weighed = face;
-    weighed.far_corner = far_corner(face);
-    if (measure(weighed, offset) < std::min(measure(weighed, {}), bar)) return false;
-  }
-  return true;
+  const auto faces = this->faces();
+  return std::all_of(faces.begin(), faces.end(),
+                     [&](const StarFace& face) { return keeps_measure(face, face, offset, bar); });
 }
 
 bool Star::keeps_edge_ratios(Vec2 offset, double limit) const {
   const auto faces = this->faces();
-  return std::all_of(faces.begin(), faces.end(), [&](const StarFace& face) {
-    const SquaredEdges after =
-        squared_edges(face, squared_length(face.next - offset), squared_length(face.previous - offset));
-    if (!face.quad || after.within(limit)) return true;
-    const SquaredEdges now = squared_edges(face, squared_length(face.next), squared_length(face.previous));
-    return after.longest * now.shortest <= now.longest * after.shortest;
-  });
+  return std::all_of(faces.begin(), faces.end(),
+                     [&](const StarFace& face) { return keeps_edge_ratio(face, face, offset, limit); });
 }
 
 bool Star::valid_at(Vec2 p) const {
@@ -198,6 +221,16 @@ bool Star::valid_at(Vec2 p) const {
       return false;
   }
   return true;
+}
+
+bool keeps_face(std::span<const Vec2> before, std::span<const Vec2> after, double bar, double edge_ratio) {
+  if (std::equal(before.begin(), before.end(), after.begin())) return true;
+  const StarFace old = look(before);
+  const StarFace now = look(after);
+  const std::size_t count = after.size();
+  for (std::size_t k = 0; k < count; ++k)
+    if (!(orient2d(after[(k + count - 1) % count], after[k], after[(k + 1) % count]) > 0)) return false;
+  return keeps_measure(old, now, {}, bar) && keeps_edge_ratio(old, now, {}, edge_ratio);
 }
 
 }  // namespace quarry

@@ -70,8 +70,6 @@ class Star {
   [[nodiscard]] bool valid_at(Vec2 p) const;
 
  private:
-  [[nodiscard]] static double measure(const StarFace& face, Vec2 offset);
-
   Vec2 place_, umbrella_;
   double shortest_squared_ = 0;
   double mean_squared_ = 0;
@@ -79,5 +77,10 @@ class Star {
   std::size_t count_ = 0;
   std::vector<StarFace> faces_;  // the first count_ are those of this star
 };
+
+// For faces whose corners move at once: as Star::keeps_faces, keeps_edge_ratios and valid_at. Three or four
+// corners, counter-clockwise; true for a face that stays as it is.
+[[nodiscard]] bool keeps_face(std::span<const Vec2> before, std::span<const Vec2> after, double bar,
+                              double edge_ratio);
 
 }  // namespace quarry

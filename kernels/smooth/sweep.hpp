@@ -19,6 +19,11 @@ struct SweepReport {
   std::uint64_t visited = 0;  // vertices looked at, over all sweeps but the first look
   std::uint64_t moved = 0;    // accepted moves
 };
+inline void add(SweepReport& sum, const SweepReport& part) {
+  sum.sweeps += part.sweeps;
+  sum.visited += part.visited;
+  sum.moved += part.moved;
+}
 
 // Who is to be visited next: a byte a vertex, set by many threads at once.
 class WakeList {

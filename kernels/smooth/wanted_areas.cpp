@@ -1,5 +1,6 @@
 #include "kernels/smooth/wanted_areas.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/parallel/parallel.hpp"
@@ -11,7 +12,7 @@ namespace {
 
 // The mean of a face and its neighbours, over and over: what is large among small ones stands back.
 IdVector<FaceId, double> mean_areas(const Mesh& mesh) {
-  constexpr int kRounds = 3;
+  constexpr int kRounds = 14;
   IdVector<FaceId, double> areas(mesh.face_slots(), 0.0);
   parallel::for_each(mesh.face_slots(), [&](std::size_t i) {
     if (mesh.alive(FaceId(i))) areas[FaceId(i)] = std::abs(corner_area(mesh, FaceId(i)));
@@ -74,6 +75,24 @@ double corner_area(const Mesh& mesh, FaceId f) {
 
 IdVector<FaceId, double> wanted_areas(const Mesh& mesh, const SizeField* size) {
   return size != nullptr ? areas_by_size(mesh, *size) : mean_areas(mesh);
+}
+
+IdVector<FaceId, AreaDemand> area_demands(const Mesh& mesh, double evenness, const SizeField* size) {
+  // Where the faces around are by more than this factor smaller or larger than wanted there is no room: the
+  // demand fades with the square of what is beyond.
+  constexpr double kWithinReach = 2;
+  IdVector<FaceId, AreaDemand> demands;
+  if (!(evenness > 0)) return demands;
+  const IdVector<FaceId, double> around = wanted_areas(mesh, nullptr);
+  const IdVector<FaceId, double> wanted = size != nullptr ? wanted_areas(mesh, size) : around;
+  demands.resize(mesh.face_slots());
+  parallel::for_each(mesh.face_slots(), [&](std::size_t i) {
+    const FaceId f(i);
+    if (!mesh.alive(f)) return;
+    const double reach = kWithinReach * std::min(around[f], wanted[f]) / std::max(around[f], wanted[f]);
+    demands[f] = {wanted[f], evenness * std::min(1.0, reach * reach)};
+  });
+  return demands;
 }
 
 }  // namespace quarry

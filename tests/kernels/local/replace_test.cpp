@@ -233,6 +233,27 @@ TEST_P(Replacing, TurnsEdgesInsideARegion) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, Replacing, testing::Range<std::uint64_t>(1, 9));
 
+TEST(FaceReplacer, KeepsTheConstraintOfAnInnerSideThatStays) {
+  // Both faces of an edge may be among those replaced, and the edge among the new ones.
+  Trial trial = make_trial(1);
+  const Mesh& mesh = trial.mesh;
+  const auto before = faces_of(mesh, trial.tags);
+  MeshEditor editor(trial.mesh);
+  FaceReplacer replacer;
+  int tried = 0;
+  for (const FaceId f : mesh.faces()) {
+    const SideId s(f, 1);
+    if (!trial.tags.constrained(s) || !mesh.neighbour(s).valid()) continue;
+    const std::array<FaceId, 2> region{f, mesh.neighbour(s).face()};
+    const auto corners = corners_of(mesh, region);
+    NewIds ids{};
+    replacer.replace(editor, trial.tags, region, corners, ids);
+    ++tried;
+  }
+  EXPECT_GT(tried, 10);
+  EXPECT_EQ(faces_of(mesh, trial.tags), before);
+}
+
 TEST(FaceReplacer, LetsInnerVerticesDieAndComeBack) {
   Mesh mesh = test::fan(6, true);
   const auto tags = ConstraintTags::add_to(mesh);

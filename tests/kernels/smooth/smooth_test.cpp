@@ -11,19 +11,15 @@
 #include "kernels/smooth/optimise.hpp"
 #include "kernels/smooth/square_corners.hpp"
 #include "kernels/smooth/star.hpp"
+#include "tests/kernels/smooth/mean_quality.hpp"
 #include "tests/kernels/smooth/quads_with_lines.hpp"
 
 namespace quarry {
 namespace {
 
 using test::make_quads;
+using test::mean_scaled_jacobian;
 using test::QuadsWithLines;
-
-double mean_scaled_jacobian(const Mesh& mesh) {
-  double sum = 0;
-  for (const FaceId f : mesh.faces()) sum += scaled_jacobian(mesh, f);
-  return sum / static_cast<double>(mesh.face_slots());
-}
 
 // The worst face of the mesh, by the measure that guards the moves.
 double worst_measure(const Mesh& mesh) {
