@@ -9,13 +9,8 @@ void PatchGrowth::begin(const Mesh& mesh, const PatchStars& stars, std::size_t l
   mesh_ = &mesh;
   stars_ = &stars;
   largest_ = largest;
-  if (++epoch_ == 0) {
-    std::fill(face_stamp_.begin(), face_stamp_.end(), 0U);
-    std::fill(counts_.begin(), counts_.end(), Counts{});
-    epoch_ = 1;
-  }
-  if (face_stamp_.size() < mesh.face_slots()) face_stamp_.resize(mesh.face_slots());
-  if (counts_.size() < mesh.vertex_slots()) counts_.resize(mesh.vertex_slots());
+  taken_.clear(mesh.face_slots());
+  counts_.clear(mesh.vertex_slots());
   vertices_ = edges_ = 0;
   charge_ = 0;
   energy_ = 0;
@@ -26,9 +21,6 @@ void PatchGrowth::begin(const Mesh& mesh, const PatchStars& stars, std::size_t l
 }
 
 void PatchGrowth::meet(VertexId v) {
-  Counts& counts = counts_[v.value()];
-  if (counts.epoch == epoch_) return;
-  counts = {epoch_, 0, 0};
   ++vertices_;
   charge_ += stars_->ideal(v) - stars_->faces(v);
   energy_ += stars_->energy(*mesh_, v, stars_->faces(v));
@@ -37,28 +29,24 @@ void PatchGrowth::meet(VertexId v) {
 }
 
 bool PatchGrowth::add_face(FaceId f) {
-  if (contains(f)) return true;
+  bool& taken = taken_.at(f);
+  if (taken) return true;
   if (faces_.size() == largest_ || mesh_->corner_count(f) != 4) return false;
-  face_stamp_[f.value()] = epoch_;
+  taken = true;
   faces_.push_back(f);
   for (int i = 0; i < 4; ++i) {
     const VertexId v = mesh_->corner(f, i);
-    meet(v);
-    ++counts_[v.value()].faces;
+    if (++counts_.at(v).faces == 1) meet(v);
     work_.push_back(v);
   }
   for (int i = 0; i < 4; ++i) {
     const SideId s(f, i);
     const SideId across = mesh_->neighbour(s);
-    Counts& from = counts_[mesh_->origin(s).value()];
-    Counts& to = counts_[mesh_->target(s).value()];
-    if (across.valid() && contains(across.face())) {
-      --from.rim_edges;
-      --to.rim_edges;
-    } else {
-      ++edges_;
-      ++from.rim_edges;
-      ++to.rim_edges;
+    const bool inner = across.valid() && contains(across.face());
+    if (!inner) ++edges_;
+    for (const VertexId v : {mesh_->origin(s), mesh_->target(s)}) {
+      std::uint16_t& rim_edges = counts_.at(v).rim_edges;
+      rim_edges = static_cast<std::uint16_t>(inner ? rim_edges - 1 : rim_edges + 1);
     }
   }
   return true;
@@ -77,7 +65,7 @@ bool PatchGrowth::add_across(VertexId a, VertexId b) {
 }
 
 bool PatchGrowth::settle(VertexId v) {
-  const Counts& counts = counts_[v.value()];
+  const Counts counts = counts_.get(v);
   if (counts.rim_edges == 0) return !stars_->pinned(v);
   if (outside(v) == 0) return true;
   if (counts.rim_edges > 2 || outer_angle(v) < 0) return add_star(v);
@@ -94,7 +82,7 @@ bool PatchGrowth::make_convex() {
 }
 
 std::span<const VertexId> PatchGrowth::rim_vertices() {
-  std::erase_if(rim_, [&](VertexId v) { return counts_[v.value()].rim_edges == 0; });
+  std::erase_if(rim_, [&](VertexId v) { return counts_.get(v).rim_edges == 0; });
   return rim_;
 }
 

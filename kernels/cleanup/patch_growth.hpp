@@ -17,13 +17,14 @@
 
 #include "engine/mesh/mesh.hpp"
 #include "kernels/cleanup/patch_stars.hpp"
+#include "kernels/local/paged_array.hpp"
 
 namespace quarry {
 
 class PatchGrowth {
  public:
   // Starts with no face. largest: faces that the patch may have. The mesh and its stars must not change until
-  // the next call. Keeps its memory: one word a vertex and a face.
+  // the next call. Keeps its memory.
   void begin(const Mesh& mesh, const PatchStars& stars, std::size_t largest);
 
   // Takes in all faces around v. False once the patch is too large or meets what it may not swallow; it is of
@@ -46,13 +47,13 @@ class PatchGrowth {
   [[nodiscard]] std::span<const FaceId> faces() const { return faces_; }
   // All vertices of the patch, in the order in which they were met.
   [[nodiscard]] std::span<const VertexId> vertices() const { return members_; }
-  [[nodiscard]] bool contains(FaceId f) const { return face_stamp_[f.value()] == epoch_; }
-  [[nodiscard]] bool contains(VertexId v) const { return counts_[v.value()].epoch == epoch_; }
+  [[nodiscard]] bool contains(FaceId f) const { return taken_.get(f); }
+  [[nodiscard]] bool contains(VertexId v) const { return counts_.get(v).faces != 0; }
   // Faces of the patch around a vertex of it.
-  [[nodiscard]] int inside(VertexId v) const { return counts_[v.value()].faces; }
+  [[nodiscard]] int inside(VertexId v) const { return counts_.get(v).faces; }
   [[nodiscard]] int outside(VertexId v) const { return stars_->faces(v) - inside(v); }
   [[nodiscard]] int outer_angle(VertexId v) const { return 2 + outside(v) - stars_->ideal(v); }
-  [[nodiscard]] bool on_rim(VertexId v) const { return contains(v) && counts_[v.value()].rim_edges != 0; }
+  [[nodiscard]] bool on_rim(VertexId v) const { return counts_.get(v).rim_edges != 0; }
   // Sum of ideal - faces over the patch: with every outer angle met, the patch has 4 - this sides.
   [[nodiscard]] int charge() const { return charge_; }
   // Valence energy of the patch, rim included.
@@ -61,7 +62,6 @@ class PatchGrowth {
 
  private:
   struct Counts {
-    std::uint32_t epoch = 0;
     std::uint16_t faces = 0, rim_edges = 0;
   };
 
@@ -72,12 +72,11 @@ class PatchGrowth {
   const Mesh* mesh_ = nullptr;
   const PatchStars* stars_ = nullptr;
   std::size_t largest_ = 0;
-  std::uint32_t epoch_ = 0;
   std::int64_t vertices_ = 0, edges_ = 0;
   int charge_ = 0;
   double energy_ = 0;
-  std::vector<std::uint32_t> face_stamp_;
-  std::vector<Counts> counts_;
+  PagedArray<FaceId, bool> taken_;
+  PagedArray<VertexId, Counts> counts_;  // no face: not met
   std::vector<FaceId> faces_;
   std::vector<VertexId> members_;
   std::vector<VertexId> rim_;   // holds all rim vertices, and some that lie inside by now

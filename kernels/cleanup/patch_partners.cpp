@@ -8,11 +8,7 @@ void PatchPartners::begin(const Mesh& mesh, const PatchStars& stars, VertexId se
   mesh_ = &mesh;
   stars_ = &stars;
   reach_ = reach;
-  if (++epoch_ == 0) {
-    std::fill(visits_.begin(), visits_.end(), Visit{});
-    epoch_ = 1;
-  }
-  if (visits_.size() < mesh.vertex_slots()) visits_.resize(mesh.vertex_slots());
+  from_.clear(mesh.vertex_slots());
   queue_.clear();
   visit(seed, seed);
   looked_ = 1;
@@ -20,9 +16,9 @@ void PatchPartners::begin(const Mesh& mesh, const PatchStars& stars, VertexId se
 }
 
 void PatchPartners::visit(VertexId v, VertexId from) {
-  Visit& mark = visits_[v.value()];
-  if (mark.epoch == epoch_) return;
-  mark = {epoch_, from};
+  VertexId& mark = from_.at(v);
+  if (mark.valid()) return;
+  mark = from;
   queue_.push_back(v);
 }
 
@@ -49,7 +45,7 @@ VertexId PatchPartners::next() {
 
 void PatchPartners::path_from(VertexId partner, std::vector<VertexId>& path) const {
   path.assign(1, partner);
-  while (visits_[path.back().value()].from != path.back()) path.push_back(visits_[path.back().value()].from);
+  while (from_.get(path.back()) != path.back()) path.push_back(from_.get(path.back()));
 }
 
 }  // namespace quarry

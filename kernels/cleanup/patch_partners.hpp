@@ -7,12 +7,13 @@
 
 #include "engine/mesh/mesh.hpp"
 #include "kernels/cleanup/patch_stars.hpp"
+#include "kernels/local/paged_array.hpp"
 
 namespace quarry {
 
 class PatchPartners {
  public:
-  // Looks at no more than `reach` vertices. Keeps its memory: two words a vertex.
+  // Looks at no more than `reach` vertices. Keeps its memory.
   void begin(const Mesh& mesh, const PatchStars& stars, VertexId seed, std::size_t reach);
 
   // The next irregular vertex other than the seed, or none within reach. Ties go to whom the turn around the
@@ -22,21 +23,15 @@ class PatchPartners {
   void path_from(VertexId partner, std::vector<VertexId>& path) const;
 
  private:
-  struct Visit {
-    std::uint32_t epoch = 0;
-    VertexId from;
-  };
-
   void visit(VertexId v, VertexId from);
   void visit_joined(VertexId v);
 
   const Mesh* mesh_ = nullptr;
   const PatchStars* stars_ = nullptr;
-  std::uint32_t epoch_ = 0;
   std::size_t reach_ = 0;
-  std::size_t looked_ = 0;    // of queue_: asked whether they are irregular
-  std::size_t expanded_ = 0;  // of queue_: their neighbours have been visited
-  std::vector<Visit> visits_;
+  std::size_t looked_ = 0;               // of queue_: asked whether they are irregular
+  std::size_t expanded_ = 0;             // of queue_: their neighbours have been visited
+  PagedArray<VertexId, VertexId> from_;  // whence each was visited; none: not yet
   std::vector<VertexId> queue_;
 };
 
