@@ -6,10 +6,10 @@
 #include <fmt/format.h>
 
 #include "engine/base/error.hpp"
-#include "engine/mesh/validate.hpp"
 #include "engine/parallel/parallel.hpp"
 #include "kernels/local/better_flips.hpp"
 #include "kernels/matching/merge_join.hpp"
+#include "kernels/matching/quad_shape.hpp"
 #include "kernels/matching/spanning_forest.hpp"
 #include "kernels/matching/subtree_parity.hpp"
 
@@ -25,7 +25,7 @@ void better_triangles(Mesh& mesh, const NodedLines& lines, const MatchingOptions
 
 std::vector<std::uint32_t> invalid_faces(const Mesh& mesh) {
   return parallel::filter_indices(mesh.face_slots(), [&](std::size_t i) {
-    return mesh.alive(FaceId(i)) && !all_corners_turn_left(mesh, FaceId(i));
+    return mesh.alive(FaceId(i)) && !matching::is_convex(mesh, FaceId(i));
   });
 }
 
@@ -97,9 +97,10 @@ void require_convex_quads(const Mesh& mesh) {
   const Vec2 p = mesh.point(mesh.corner(FaceId(invalid.front()), 0));
   throw Error(
       ErrorKind::kGeometry,
-      fmt::format("matching leaves {} quads inverted, the first at {}: use --quads cluster, or clean the "
-                  "lines there with a larger --snap or --min-edge",
-                  invalid.size(), format_point(p.x, p.y)));
+      fmt::format(
+          "matching leaves {} quads inverted or flat, the first at {}: use --quads cluster, or clean the "
+          "lines there with a larger --snap or --min-edge",
+          invalid.size(), format_point(p.x, p.y)));
 }
 
 }  // namespace quarry

@@ -6,8 +6,8 @@
 
 #include "engine/geometry/predicates.hpp"
 #include "engine/geometry/segment.hpp"
-#include "engine/mesh/validate.hpp"
 #include "kernels/local/replace.hpp"
+#include "kernels/matching/quad_shape.hpp"
 
 namespace quarry {
 namespace {
@@ -17,12 +17,6 @@ constexpr std::size_t kMostFaces = 12;  // around the ringed vertex
 // midpoints, which crosses the diagonal of a convex quad before its middle, and farther out the more reflex
 // the corner at its end is.
 constexpr std::array<double, 4> kCentreShares = {0.6, 0.75, 0.87, 0.95};
-
-bool turns_left_everywhere(const std::array<Vec2, 4>& quad) {
-  for (std::size_t i = 0; i < 4; ++i)
-    if (!(orient2d(quad[(i + 3) % 4], quad[i], quad[(i + 1) % 4]) > 0)) return false;
-  return true;
-}
 
 class RingAround {
  public:
@@ -34,7 +28,7 @@ class RingAround {
   RingAround(ConstraintTags tags, const NodedLines& lines) : tags_(tags), lines_(&lines), finder_(lines) {}
 
   bool propose(const Mesh& mesh, FaceId f, Cavity& cavity, Plan& plan) const {
-    if (!mesh.alive(f) || mesh.corner_count(f) != 4 || all_corners_turn_left(mesh, f)) return false;
+    if (!mesh.alive(f) || mesh.corner_count(f) != 4 || matching::is_convex(mesh, f)) return false;
     const VertexId v = mesh.origin(opposite_of_worst_corner(mesh, f));
     if (mesh.on_boundary(v)) return false;
     Star star;
@@ -126,14 +120,13 @@ class RingAround {
     [[nodiscard]] int invalid_parts(std::size_t i) const {
       const std::size_t next = (i + 1) % count;
       const Vec2 middle = spokes[i].middle, centre = spokes[i].centre, other = spokes[next].middle;
-      return (turns_left_everywhere({here, middle, centre, other}) ? 0 : 1) +
-             (turns_left_everywhere({middle, ends[i], fars[i], centre}) ? 0 : 1) +
-             (turns_left_everywhere({centre, fars[i], ends[next], other}) ? 0 : 1);
+      return (matching::is_convex({here, middle, centre, other}) ? 0 : 1) +
+             (matching::is_convex({middle, ends[i], fars[i], centre}) ? 0 : 1) +
+             (matching::is_convex({centre, fars[i], ends[next], other}) ? 0 : 1);
     }
     [[nodiscard]] int invalid_before(const Mesh& mesh) const {
       int sum = 0;
-      for (std::size_t i = 0; i < count; ++i)
-        sum += all_corners_turn_left(mesh, spokes[i].side.face()) ? 0 : 1;
+      for (std::size_t i = 0; i < count; ++i) sum += matching::is_convex(mesh, spokes[i].side.face()) ? 0 : 1;
       return sum;
     }
     // True if all parts of the face are valid.
@@ -210,7 +203,7 @@ class RingAround {
 PassReport ring_straight_corners(Mesh& mesh, const NodedLines& lines, const Progress& progress) {
   const RingAround operation(ConstraintTags::of(mesh), lines);
   const auto invalid = parallel::filter_indices(mesh.face_slots(), [&](std::size_t i) {
-    return mesh.alive(FaceId(i)) && !all_corners_turn_left(mesh, FaceId(i));
+    return mesh.alive(FaceId(i)) && !matching::is_convex(mesh, FaceId(i));
   });
   std::vector<FaceId> work;
   for (const std::uint32_t i : invalid) work.emplace_back(i);

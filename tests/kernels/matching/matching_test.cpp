@@ -1,6 +1,7 @@
 #include "kernels/matching/matching.hpp"
 
 #include <algorithm>
+#include <array>
 #include <set>
 #include <utility>
 #include <vector>
@@ -12,6 +13,8 @@
 #include "engine/operation/editor.hpp"
 #include "engine/parallel/parallel.hpp"
 #include "kernels/matching/merge_join.hpp"
+#include "kernels/matching/quad_shape.hpp"
+#include "kernels/matching/quad_shape.hpp"
 #include "kernels/matching/spanning_forest.hpp"
 #include "kernels/matching/whole_outline.hpp"
 #include "tests/kernels/matching/triangle_meshes.hpp"
@@ -322,6 +325,16 @@ TEST(Matching, HalvesOneOuterEdgeOfAnOddComponent) {
   EXPECT_EQ(report.parity.halved_edges, 1U);
   EXPECT_TRUE(all_quads(quads));
   EXPECT_EQ(validate(quads, GeometryCheck::kPlanarCorners), "");
+}
+
+TEST(QuadShape, CallsACornerFlatThatTurnsLeftByTheLastBitsAlone) {
+  const std::array<Vec2, 4> square{Vec2{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  EXPECT_TRUE(matching::is_convex(square));
+  EXPECT_FALSE(matching::is_convex({Vec2{0, 0}, {1, 0}, {0.5, 0.5}, {0, 1}}));
+  EXPECT_FALSE(matching::is_convex({Vec2{0, 0}, {1, 0}, {0.5 + 1e-9, 0.5}, {0, 1}}));
+  EXPECT_TRUE(matching::is_convex({Vec2{0, 0}, {1, 0}, {0.51, 0.5}, {0, 1}}));
+  // A sharp corner is what lines may ask for.
+  EXPECT_TRUE(matching::is_convex({Vec2{0, 0}, {1, 0}, {1 + 5e-9, 5e-9}, {1, 1e-8}}));
 }
 
 }  // namespace
