@@ -52,7 +52,7 @@ struct CleanUpOptions {
   ShapeOptions between{.sweeps = 1, .content = 0.6, .content_areas = 2, .tolerance = 0.02};
   // Sweeps at the end: first the sizes become even, then the corners square, which makes sizes less even
   // again.
-  ShapeOptions shape{.sweeps = 2};
+  ShapeOptions shape{.sweeps = 4};
   SquareCornersOptions square_corners{.sweeps = 2, .evenness = 0.26, .rounds_together = 5};
   // In short steps: slender faces in wedges have little room.
   OptimiseOptions optimise{.smallest_step = 0.003};
