@@ -1,6 +1,5 @@
 #include "kernels/crossfield/position_field.hpp"
 
-#include <cmath>
 #include <utility>
 
 #include "engine/parallel/parallel.hpp"
@@ -8,6 +7,12 @@
 
 namespace quarry {
 namespace {
+
+// The nearest whole number, for numbers up to 2^51: std::round is a call, and half of the time here.
+double whole(double x) {
+  constexpr double kRounder = 0x1.8p52;
+  return (x + kRounder) - kRounder;
+}
 
 // A square lattice in a tangent plane.
 struct Lattice {
@@ -22,13 +27,15 @@ struct Lattice {
     const Vec3 d = p - origin;
     return {dot(d, along) / spacing, dot(d, across) / spacing};
   }
+  // The lattice point nearest to p.
   [[nodiscard]] Vec3 nearest(Vec3 origin, Vec3 p) const {
     const Vec2 r = relative(origin, p);
-    return moved(origin, std::round(r.x), std::round(r.y));
+    return moved(origin, whole(r.x), whole(r.y));
   }
+  // The corner with the smallest coordinates of the cell around p.
   [[nodiscard]] Vec3 before(Vec3 origin, Vec3 p) const {
     const Vec2 r = relative(origin, p);
-    return moved(origin, std::floor(r.x), std::floor(r.y));
+    return moved(origin, whole(r.x - 0.5), whole(r.y - 0.5));
   }
 };
 
@@ -43,23 +50,21 @@ Vec3 between(const Lattice& a, const Lattice& b) {
   return 0.5 * (a.at + b.at) - 0.25 * (l * a.normal + m * b.normal);
 }
 
-// The points of the two lattices around a place between them that are nearest to one another.
+// Of the corners of the cell of the first lattice around a place between the vertices that which has a point
+// of the second one nearest to it, and that point.
 std::pair<Vec3, Vec3> nearest_pair(const Lattice& a, Vec3 origin_a, const Lattice& b, Vec3 origin_b) {
   const Vec3 middle = between(a, b);
-  const Vec3 low_a = a.before(origin_a, middle);
-  const Vec3 low_b = b.before(origin_b, middle);
+  const Vec3 low = a.before(origin_a, middle);
   std::pair<Vec3, Vec3> best;
   double least = -1;
   for (int i = 0; i < 4; ++i) {
-    const Vec3 p = a.moved(low_a, i & 1, i >> 1);
-    for (int j = 0; j < 4; ++j) {
-      const Vec3 q = b.moved(low_b, j & 1, j >> 1);
-      const Vec3 d = q - p;
-      const double squared = dot(d, d);
-      if (least >= 0 && !(squared < least)) continue;
-      least = squared;
-      best = {p, q};
-    }
+    const Vec3 p = a.moved(low, i & 1, i >> 1);
+    const Vec3 q = b.nearest(origin_b, p);
+    const Vec3 d = q - p;
+    const double squared = dot(d, d);
+    if (least >= 0 && !(squared < least)) continue;
+    least = squared;
+    best = {p, q};
   }
   return best;
 }

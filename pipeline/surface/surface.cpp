@@ -8,12 +8,12 @@
 #include "engine/base/error.hpp"
 #include "engine/base/log.hpp"
 #include "io/lines/line_reader.hpp"
+#include "pipeline/surface/elements.hpp"
 #include "pipeline/surface/find_surface_sizes.hpp"
 #include "pipeline/surface/finish_surface.hpp"
 #include "pipeline/surface/read_surface.hpp"
 #include "surface/feature/bind.hpp"
 #include "surface/model/surface_model.hpp"
-#include "surface/remesh/remesh.hpp"
 #include "surface/repair/coarsen_joins.hpp"
 #include "surface/repair/sheets.hpp"
 #include "surface/repair/split_joins.hpp"
@@ -26,13 +26,6 @@ double area_of(const TriangleSurface& surface) {
   for (const SurfaceTriangle& t : surface.triangles) area += 0.5 * length(doubled_area(surface, t));
   return area;
 }
-
-// The area of an equilateral triangle, and of a square, of edge 1.
-double element_area(Elements elements) { return elements == Elements::kTriangle ? 0.25 * std::sqrt(3.0) : 1; }
-
-// Triangles of this edge are to make quads of edge 1: two that are paired make four, one that is not makes
-// three, as about one in eight does.
-const double kTrianglesForQuads = std::sqrt(2.12 * 4 / std::sqrt(3.0));
 
 // Of lines: how they are led, in edges of triangles; and by default, in sizes, what they snap to and how far
 // from the surface they may lie.
@@ -51,8 +44,9 @@ class SurfaceJob {
     clock_.start("repairing");
     RepairedSurface repaired = repair_surface(std::move(surface), options_.repair);
     find_size(repaired.surface);
-    const double edge = result_.size * (makes_quads() ? kTrianglesForQuads : 1);
-    RemeshOptions remesh;
+    choose_method(repaired);
+    const double edge = first_edge(options_.elements, result_.method) * result_.size;
+    const RemeshOptions remesh;
     result_.repaired = repaired.surface;
     coarsen_joins(repaired, {.shortest = remesh.shortest * edge,
                              .longest = remesh.longest * edge,
@@ -71,19 +65,7 @@ class SurfaceJob {
     const SurfaceModel model(mesh, tags);
     clock_.start("finding sizes");
     const SurfaceSizes sizes = find_surface_sizes(mesh, options_, edge, result_.size, area_);
-    if (options_.count) remesh.wanted_faces = area_ / (element_area(Elements::kTriangle) * edge * edge);
-    clock_.start("remeshing");
-    result_.remesh = remesh_surface(mesh, model, network, sizes, remesh, progress_);
-    if (makes_quads()) {
-      clock_.start("making quads");
-      SurfaceQuadOptions quads;
-      quads.cleanup = options_.cleanup;
-      quads.graded = !sizes.uniform();
-      // With a wanted edge and details as many as there are: the details need more.
-      if (options_.count || sizes.uniform())
-        quads.wanted_faces = static_cast<std::size_t>(area_ / (result_.size * result_.size));
-      mesh = make_surface_quads(std::move(mesh), model, network, quads, result_.quads, progress_);
-    }
+    make_elements({model, network, sizes, area_}, options_, result_, clock_, progress_);
     clock_.start("finishing");
     require_valid_on_surface(mesh, model);
     set_surface_regions(mesh, repaired.surface.groups, model);
@@ -144,7 +126,11 @@ class SurfaceJob {
     }
   }
 
-  [[nodiscard]] bool makes_quads() const { return options_.elements != Elements::kTriangle; }
+  void choose_method(const RepairedSurface& repaired) {
+    result_.method = repaired.joins.empty() ? options_.method : SurfaceQuads::kCluster;
+    if (options_.elements != Elements::kTriangle && result_.method != options_.method)
+      result_.notes.push_back("sheets of the surface meet: quads are made as by --quads cluster");
+  }
 
   const SurfaceOptions& options_;
   const Progress& progress_;
@@ -154,6 +140,8 @@ class SurfaceJob {
 };
 
 }  // namespace
+
+const char* name_of(SurfaceQuads method) { return method == SurfaceQuads::kField ? "field" : "cluster"; }
 
 SurfaceResult mesh_surface(const SurfaceOptions& options, const Progress& progress) {
   return SurfaceJob(options, progress).run();

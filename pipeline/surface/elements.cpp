@@ -1,0 +1,99 @@
+#include "pipeline/surface/elements.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "surface/lattice/lattice.hpp"
+#include "surface/remesh/remesh.hpp"
+
+namespace quarry {
+namespace {
+
+// Triangles of this edge are to make quads of edge 1: two that are paired make four, one that is not makes
+// three, as about one in eight does.
+const double kTrianglesForQuads = std::sqrt(2.12 * 4 / std::sqrt(3.0));
+// A cell of the lattice makes four quads.
+constexpr double kSpacingForQuads = 2;
+// The edge of the triangles that the fields are found on, in spacings: with 0.55 there are as many irregular
+// vertices in the end, and it takes a third longer.
+constexpr double kTrianglesForLattice = 0.8;
+constexpr int kRoundsForLattice = 4;
+// How many of the wanted quads the lattice is to make: the rest is for the clean-up, which removes more
+// irregular vertices where it may add faces.
+constexpr double kShareOfLattice = 0.95;
+
+class ElementMaker {
+ public:
+  ElementMaker(const SurfaceToMesh& surface, const SurfaceOptions& options, SurfaceResult& result,
+               StageClock& clock, const Progress& progress)
+      : surface_(surface), options_(options), result_(result), clock_(clock), progress_(progress) {}
+
+  void run() {
+    const bool quads = options_.elements != Elements::kTriangle;
+    // With a wanted edge and details as many as there are: the details need more.
+    if (options_.count || surface_.sizes.uniform())
+      wanted_quads_ = surface_.area / (result_.size * result_.size);
+    if (quads && result_.method == SurfaceQuads::kField) {
+      remesh(kTrianglesForLattice, kRoundsForLattice);
+      make_lattice_triangles();
+    } else {
+      remesh(1, RemeshOptions().rounds);
+    }
+    if (quads) make_quads();
+  }
+
+ private:
+  // share: of the sizes.
+  void remesh(double share, int rounds) {
+    clock_.start("remeshing");
+    RemeshOptions remesh;
+    remesh.rounds = rounds;
+    const double edge = share * first_edge(options_.elements, result_.method) * result_.size;
+    if (options_.count)
+      remesh.wanted_faces = surface_.area / (element_area(Elements::kTriangle) * edge * edge);
+    result_.remesh = remesh_surface(result_.mesh, surface_.model, surface_.network,
+                                    surface_.sizes.times(share), remesh, progress_);
+  }
+
+  void make_lattice_triangles() {
+    clock_.start("finding a lattice");
+    LatticeOptions lattice;
+    lattice.wanted_cells = kShareOfLattice * wanted_quads_ / (kSpacingForQuads * kSpacingForQuads);
+    result_.lattice =
+        make_lattice(result_.mesh, surface_.model, surface_.network, surface_.sizes, lattice, progress_);
+  }
+
+  void make_quads() {
+    clock_.start("making quads");
+    SurfaceQuadOptions quads;
+    quads.cleanup = options_.cleanup;
+    quads.graded = !surface_.sizes.uniform();
+    quads.wanted_faces = static_cast<std::size_t>(wanted_quads_);
+    result_.mesh = make_surface_quads(std::move(result_.mesh), surface_.model, surface_.network, quads,
+                                      result_.quads, progress_);
+  }
+
+  const SurfaceToMesh& surface_;
+  const SurfaceOptions& options_;
+  SurfaceResult& result_;
+  StageClock& clock_;
+  const Progress& progress_;
+  double wanted_quads_ = 0;  // 0: as many as the sizes make
+};
+
+}  // namespace
+
+double element_area(Elements elements) { return elements == Elements::kTriangle ? 0.25 * std::sqrt(3.0) : 1; }
+
+double first_edge(Elements elements, SurfaceQuads method) {
+  if (elements == Elements::kTriangle) return 1;
+  return method == SurfaceQuads::kField ? kSpacingForQuads : kTrianglesForQuads;
+}
+
+void make_elements(const SurfaceToMesh& surface, const SurfaceOptions& options, SurfaceResult& result,
+                   StageClock& clock, const Progress& progress) {
+  ElementMaker(surface, options, result, clock, progress).run();
+}
+
+}  // namespace quarry
