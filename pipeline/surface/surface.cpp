@@ -65,7 +65,7 @@ class SurfaceJob {
     const SurfaceModel model(mesh, tags);
     clock_.start("finding sizes");
     const SurfaceSizes sizes = find_surface_sizes(mesh, options_, edge, result_.size, area_);
-    make_elements({model, network, sizes, area_}, options_, result_, clock_, progress_);
+    make_elements({repaired, model, network, sizes, edge, area_}, options_, result_, clock_, progress_);
     clock_.start("finishing");
     require_valid_on_surface(mesh, model);
     set_surface_regions(mesh, repaired.surface.groups, model);

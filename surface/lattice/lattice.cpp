@@ -6,7 +6,9 @@
 #include "surface/lattice/join_shared.hpp"
 #include "surface/lattice/lattice_fields.hpp"
 #include "surface/lattice/snap.hpp"
+#include "surface/remesh/collapse_short.hpp"
 #include "surface/remesh/flip_better.hpp"
+#include "surface/remesh/relocate.hpp"
 #include "surface/repair/sheets.hpp"
 
 namespace quarry {
@@ -31,7 +33,9 @@ LatticeReport make_lattice(Mesh& mesh, const SurfaceModel& model, const CurveNet
                            const SurfaceSizes& spacing, const LatticeOptions& options,
                            const Progress& progress) {
   LatticeReport report;
-  const RemeshOptions remesh{.feature_deviation = options.feature_deviation};
+  const RemeshOptions remesh{.longest = options.longest,
+                             .shortest = options.shortest,
+                             .feature_deviation = options.feature_deviation};
   RemeshState base{mesh,
                    model,
                    network,
@@ -52,6 +56,13 @@ LatticeReport make_lattice(Mesh& mesh, const SurfaceModel& model, const CurveNet
     report.moves += snap_to_lattice(state, options.sweeps, options.content, progress).moved;
     report.flips += flip_edges(base, FlipAim::kMeasure, progress);
     report.joined += join_shared_points(state, options.lowest_joined, progress);
+  }
+  for (int round = 0; round < options.repair_rounds; ++round) {
+    report.joined += collapse_short_edges(base, progress);
+    const std::uint64_t moved = relocate_below(base, options.content, options.sweeps, progress).moved;
+    const std::uint64_t flipped = flip_edges(base, FlipAim::kMeasure, progress);
+    report.repairs += moved + flipped;
+    if (moved + flipped == 0) break;
   }
   for (const char* name : {kPlaceTag, kAlongTag, kWantedTag}) mesh.remove_tag<VertexId>(name);
   compact(mesh, EntityOrder::kHilbert);

@@ -26,6 +26,10 @@ struct LatticeOptions {
   int rounds = 3;
   int sweeps = 4;
   double content = 0.5;
+  // Then rounds of repair: edges shorter than so many spacings are collapsed, if none longer than so many
+  // comes of it; corners of triangles that are lower than `content` move to the middle of their stars; flips.
+  double shortest = 0.4, longest = 1.7;
+  int repair_rounds = 6;
 };
 
 struct LatticeReport {

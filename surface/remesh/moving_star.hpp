@@ -30,6 +30,7 @@ class MovingStar {
   }
   [[nodiscard]] const std::vector<Corner>& corners() const { return corners_; }
 
+  [[nodiscard]] double worst() const { return worst_; }
   // Lo's measure of the worst triangle, were the vertex there.
   [[nodiscard]] double worst_at(Vec3 p) const {
     double worst = 1;

@@ -9,12 +9,15 @@ namespace {
 
 // A vertex that would move by less than this share of the wanted edge stays.
 constexpr double kSmallestMove = 0.02;
+// More than any measure.
+constexpr double kAll = 2;
 // How far the nearest point of the surface may lie from a target, in lengths of the step.
 constexpr double kSheetJump = 1.5;
 
 class RelocateMover {
  public:
-  explicit RelocateMover(const RemeshState& state) : state_(&state), star_(state) {}
+  // Stars whose triangles all have at least this measure are left alone.
+  RelocateMover(const RemeshState& state, double content) : state_(&state), star_(state), content_(content) {}
 
   [[nodiscard]] bool may_move(VertexId v) const {
     const Support support = state_->tags.support[v];
@@ -26,6 +29,7 @@ class RelocateMover {
 
   bool move(Mesh& mesh, VertexId v) {
     star_.gather(v);
+    if (star_.worst() >= content_) return false;
     place_ = mesh.point3(v);
     wanted_ = state_->wanted_edge(v);
     const Support support = state_->tags.support[v];
@@ -83,13 +87,22 @@ class RelocateMover {
   MovingStar star_;
   Vec3 place_;
   double wanted_ = 0;
+  double content_;
 };
+
+SweepReport relocate(RemeshState& state, double content, int sweeps, const Progress& progress) {
+  VertexColouring colouring(state.mesh);
+  return run_sweeps(state.mesh, colouring, RelocateMover(state, content), sweeps, progress);
+}
 
 }  // namespace
 
 SweepReport relocate_vertices(RemeshState& state, int sweeps, const Progress& progress) {
-  VertexColouring colouring(state.mesh);
-  return run_sweeps(state.mesh, colouring, RelocateMover(state), sweeps, progress);
+  return relocate(state, kAll, sweeps, progress);
+}
+
+SweepReport relocate_below(RemeshState& state, double measure, int sweeps, const Progress& progress) {
+  return relocate(state, measure, sweeps, progress);
 }
 
 }  // namespace quarry
