@@ -30,6 +30,10 @@ constexpr double kShareOfLattice = 0.96;
 // with less (1.06 with 50,000) fewer.
 constexpr double kMostCells = 1.065;
 
+// Quads of a lattice begin nearly square: with the sweeps that others need the mean scaled Jacobian is 0.001
+// to 0.002 higher with 50,000 quads, in 1.3 to 1.5 times the time.
+constexpr int kFirstSweepsOfLattice = 3, kSweepsBetweenOfLattice = 1, kLastSweepsOfLattice = 10;
+
 class ElementMaker {
  public:
   ElementMaker(const SurfaceToMesh& surface, const SurfaceOptions& options, SurfaceResult& result,
@@ -85,6 +89,11 @@ class ElementMaker {
     SurfaceQuadOptions quads;
     quads.cleanup = options_.cleanup;
     quads.graded = !surface_.sizes.uniform();
+    if (result_.method == SurfaceQuads::kField) {
+      quads.first_sweeps = kFirstSweepsOfLattice;
+      quads.sweeps_between = kSweepsBetweenOfLattice;
+      quads.last_sweeps = kLastSweepsOfLattice;
+    }
     quads.wanted_faces = static_cast<std::size_t>(wanted_quads_);
     result_.mesh = make_surface_quads(std::move(result_.mesh), surface_.model, surface_.network, quads,
                                       result_.quads, progress_);
