@@ -9,8 +9,8 @@
 namespace quarry {
 
 struct LatticeOptions {
-  CrossFieldOptions crosses;
-  PositionFieldOptions positions;
+  CrossFieldOptions crosses = {};
+  PositionFieldOptions positions = {};
   // How many cells there are to be; 0: as many as the spacing gives. The spacing is corrected until they are
   // within so much of it, in at most so many attempts.
   double wanted_cells = 0;
