@@ -4,10 +4,8 @@
 #include <cstddef>
 #include <utility>
 
-#include "surface/feature/bind.hpp"
 #include "surface/lattice/lattice.hpp"
 #include "surface/remesh/remesh.hpp"
-#include "surface/repair/sheets.hpp"
 
 namespace quarry {
 namespace {
@@ -40,18 +38,21 @@ class ElementMaker {
                StageClock& clock, const Progress& progress)
       : surface_(surface), options_(options), result_(result), clock_(clock), progress_(progress) {}
 
-  void run() {
-    const bool quads = options_.elements != Elements::kTriangle;
+  bool run() {
     // With a wanted edge and details as many as there are: the details need more.
     if (options_.count || surface_.sizes.uniform())
       wanted_quads_ = surface_.area / (result_.size * result_.size);
-    if (quads && result_.method == SurfaceQuads::kField && !make_lattice_triangles()) begin_again();
-    if (!quads || result_.method == SurfaceQuads::kCluster) remesh(1, RemeshOptions().rounds);
-    if (quads) make_quads();
+    if (result_.method == SurfaceQuads::kField) {
+      if (!make_lattice_triangles()) return false;
+    } else {
+      remesh(1, RemeshOptions().rounds);
+    }
+    if (options_.elements != Elements::kTriangle) make_quads();
+    return true;
   }
 
  private:
-  // share: of the edge that the method begins with; the sizes are of that which was chosen first.
+  // share: of the edge that the method begins with.
   void remesh(double share, int rounds) {
     clock_.start("remeshing");
     RemeshOptions remesh;
@@ -60,7 +61,7 @@ class ElementMaker {
     if (options_.count)
       remesh.wanted_faces = surface_.area / (element_area(Elements::kTriangle) * edge * edge);
     result_.remesh = remesh_surface(result_.mesh, surface_.model, surface_.network,
-                                    surface_.sizes.times(edge / surface_.edge), remesh, progress_);
+                                    surface_.sizes.times(share), remesh, progress_);
   }
 
   // False if it has too many cells.
@@ -73,15 +74,6 @@ class ElementMaker {
         make_lattice(result_.mesh, surface_.model, surface_.network, surface_.sizes, lattice, progress_);
     const double wanted = wanted_quads_ > 0 ? lattice.wanted_cells : surface_.sizes.squares();
     return static_cast<double>(result_.mesh.count_alive_faces()) <= 2 * kMostCells * wanted;
-  }
-
-  void begin_again() {
-    result_.notes.push_back(
-        "features or walls lie nearer to one another than two elements in many places: quads are made as by "
-        "--quads cluster");
-    result_.method = SurfaceQuads::kCluster;
-    result_.mesh = make_sheets(surface_.repaired);
-    bind_features(result_.mesh, surface_.network);
   }
 
   void make_quads() {
@@ -116,9 +108,9 @@ double first_edge(Elements elements, SurfaceQuads method) {
   return method == SurfaceQuads::kField ? kSpacingForQuads : kTrianglesForQuads;
 }
 
-void make_elements(const SurfaceToMesh& surface, const SurfaceOptions& options, SurfaceResult& result,
+bool make_elements(const SurfaceToMesh& surface, const SurfaceOptions& options, SurfaceResult& result,
                    StageClock& clock, const Progress& progress) {
-  ElementMaker(surface, options, result, clock, progress).run();
+  return ElementMaker(surface, options, result, clock, progress).run();
 }
 
 }  // namespace quarry

@@ -4,7 +4,6 @@
 #include "pipeline/surface/surface.hpp"
 #include "surface/feature/curve_network.hpp"
 #include "surface/model/surface_model.hpp"
-#include "surface/repair/repair.hpp"
 #include "surface/size/surface_sizes.hpp"
 
 namespace quarry {
@@ -16,19 +15,17 @@ namespace quarry {
 [[nodiscard]] double first_edge(Elements elements, SurfaceQuads method);
 
 struct SurfaceToMesh {
-  const RepairedSurface& repaired;
   const SurfaceModel& model;
   const CurveNetwork& network;
-  const SurfaceSizes& sizes;  // of what elements begin with, by the method that was chosen first
-  double edge;                // the wanted one of these, in input units
+  const SurfaceSizes& sizes;  // of what elements begin with
   double area;
 };
 
 // result: its mesh is that of the surface, with features bound, and becomes that of the elements; its size
-// and method say what they are to be, its reports are filled. Where features or walls keep a lattice from
-// becoming as coarse as it is to be, its quads would be worse than others: the method is changed to kCluster
-// then, and that is noted.
-void make_elements(const SurfaceToMesh& surface, const SurfaceOptions& options, SurfaceResult& result,
-                   StageClock& clock, const Progress& progress);
+// and method say what they are to be, its reports are filled. False, with a mesh that is of no use, if
+// features or walls keep a lattice from becoming as coarse as it is to be: its quads would be worse than
+// others.
+[[nodiscard]] bool make_elements(const SurfaceToMesh& surface, const SurfaceOptions& options,
+                                 SurfaceResult& result, StageClock& clock, const Progress& progress);
 
 }  // namespace quarry

@@ -44,13 +44,40 @@ class SurfaceJob {
     clock_.start("repairing");
     RepairedSurface repaired = repair_surface(std::move(surface), options_.repair);
     find_size(repaired.surface);
+    result_.repaired = repaired.surface;
     choose_method(repaired);
+    if (result_.method == SurfaceQuads::kCluster || !follow_field(repaired)) mesh(repaired);
+    result_.repair = std::move(repaired.report);
+    clock_.stop();
+    result_.times = clock_.times();
+    return std::move(result_);
+  }
+
+ private:
+  // False, with a note why, if quads have to be made in the other way, as if nothing else had been tried.
+  bool follow_field(const RepairedSurface& repaired) {
+    try {
+      if (mesh(repaired)) return true;
+      note_clusters("features or walls lie nearer to one another than two elements in many places");
+    } catch (const Error& error) {
+      if (error.kind() != ErrorKind::kGeometry) throw;
+      note_clusters("a lattice leaves elements inverted or upside down");
+    }
+    result_.method = SurfaceQuads::kCluster;
+    return false;
+  }
+  void note_clusters(const char* why) {
+    result_.notes.push_back(std::string(why) + ": quads are made as by --quads cluster");
+  }
+
+  // By the method of the result; false if that cannot be had.
+  bool mesh(RepairedSurface repaired) {
     const double edge = first_edge(options_.elements, result_.method) * result_.size;
     const RemeshOptions remesh;
-    result_.repaired = repaired.surface;
     coarsen_joins(repaired, {.shortest = remesh.shortest * edge,
                              .longest = remesh.longest * edge,
                              .deviation = remesh.feature_deviation * edge});
+    result_.imprint = {};
     const std::vector<LineEdge> lines = imprint(repaired, edge);
     split_joins(repaired, remesh.longest * edge);
     clock_.start("finding features");
@@ -59,24 +86,20 @@ class SurfaceJob {
     const FeatureEdges found = find_feature_edges(repaired, features, lines);
     const CurveNetwork network = make_curve_network(repaired.surface, found.edges, features);
     count(found, network);
-    Mesh& mesh = result_.mesh;
-    mesh = make_sheets(repaired);
-    const ConstraintTags tags = bind_features(mesh, network);
-    const SurfaceModel model(mesh, tags);
+    Mesh& elements = result_.mesh;
+    elements = make_sheets(repaired);
+    const ConstraintTags tags = bind_features(elements, network);
+    const SurfaceModel model(elements, tags);
     clock_.start("finding sizes");
-    const SurfaceSizes sizes = find_surface_sizes(mesh, options_, edge, result_.size, area_);
-    make_elements({repaired, model, network, sizes, edge, area_}, options_, result_, clock_, progress_);
+    const SurfaceSizes sizes = find_surface_sizes(elements, options_, edge, result_.size, area_);
+    if (!make_elements({model, network, sizes, area_}, options_, result_, clock_, progress_)) return false;
     clock_.start("finishing");
-    require_valid_on_surface(mesh, model);
-    set_surface_regions(mesh, repaired.surface.groups, model);
-    finish_surface_mesh(mesh, network, result_.lines);
-    result_.repair = std::move(repaired.report);
-    clock_.stop();
-    result_.times = clock_.times();
-    return std::move(result_);
+    require_valid_on_surface(elements, model);
+    set_surface_regions(elements, repaired.surface.groups, model);
+    finish_surface_mesh(elements, network, result_.lines);
+    return true;
   }
 
- private:
   void find_size(const TriangleSurface& surface) {
     const double area = area_ = area_of(surface);
     if (!(area > 0)) throw Error(ErrorKind::kGeometry, "the surface has no area");
@@ -126,10 +149,13 @@ class SurfaceJob {
     }
   }
 
+  [[nodiscard]] bool makes_quads() const { return options_.elements != Elements::kTriangle; }
+
   void choose_method(const RepairedSurface& repaired) {
-    result_.method = repaired.joins.empty() ? options_.method : SurfaceQuads::kCluster;
-    if (options_.elements != Elements::kTriangle && result_.method != options_.method)
-      result_.notes.push_back("sheets of the surface meet: quads are made as by --quads cluster");
+    result_.method = makes_quads() ? options_.method : SurfaceQuads::kCluster;
+    if (result_.method == SurfaceQuads::kCluster || repaired.joins.empty()) return;
+    note_clusters("sheets of the surface meet");
+    result_.method = SurfaceQuads::kCluster;
   }
 
   const SurfaceOptions& options_;
