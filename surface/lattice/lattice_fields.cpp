@@ -106,8 +106,9 @@ class LatticeFields {
       if (mesh_.alive(v) && mesh_.on_boundary(v)) ++rim;
     const double kept =
         static_cast<double>(count_after_joins(state_)) / static_cast<double>(mesh_.count_alive_vertices());
-    return kept * static_cast<double>(mesh_.count_alive_faces()) / 2 +
-           0.5 * (kept - std::sqrt(kept)) * static_cast<double>(rim);
+    const double cells = kept * static_cast<double>(mesh_.count_alive_faces()) / 2 +
+                         0.5 * (kept - std::sqrt(kept)) * static_cast<double>(rim);
+    return std::max(cells, 0.0);  // of a handful of vertices it is no estimate
   }
 
   LatticeState& state_;
