@@ -3,13 +3,15 @@
 repository:
 
   bench/surfaces.py [--data DIR] [--referee DIR] [--quarry build/quarry] [--counts 10000,50000] [--only NAME,...]
-                    [--quick] [--keep FILE.json] [--out docs/results-surfaces.md]
+                    [--threads 2,4,7] [--quick] [--add] [--keep FILE.json] [--out docs/results-surfaces.md]
 
 --data      folder with surface/* (the surfaces are not part of this repository)
 --referee   folder with surface.py, an independent checker; without it its columns stay empty
 --counts    wanted numbers of quads
+--threads   numbers of threads whose bytes are compared with those of one
 --quick     2,000 quads of three surfaces, the page to stdout: to see that everything works
---keep      the measurements as JSON; default out/surfaces.json
+--keep      the measurements as JSON, written after each surface; default out/surfaces.json
+--add       goes on with what that file has
 
 Nothing else should run on the machine meanwhile. Needs Python 3.9, and numpy and scipy for the checks.
 """
@@ -23,8 +25,6 @@ from jobs import Referee, digest, load_json, machine_text, run, say, source_comm
 from tables import checked, table, thousands
 
 EXTENSIONS = (".obj", ".ply", ".stl", ".ml", ".ts")
-THREADS = (2, 4, 7)
-
 TEXT = """# Quads on surfaces
 
 Made by `bench/surfaces.py` (the text at the end apart), which anyone can rerun; do not edit the tables. Surfaces that are
@@ -68,7 +68,8 @@ def measure(options, referee, path, count, folder):
         row["largest"], row["mean"] = found.get("hausdorff"), found.get("ref2mesh", {}).get("mean")
         row["kept"] = found.get("features", {}).get("pct_kept_within_quarter_h")
     row["same"] = True
-    for threads in THREADS:
+    row["threads"] = [1, *map(int, options.threads.split(","))]
+    for threads in row["threads"][1:]:
         again = run([*command, "--threads", threads], folder)
         row["same"] = row["same"] and again.code == 0 and digest(out) == bytes_of_one
     return row
@@ -83,11 +84,11 @@ def row_of(name, row):
     return [name, thousands(row["quads"]), f"{100 * quality['valence']['irregular_share']:.2f}",
             f"{jacobian['min']:.3f}", f"{jacobian['mean']:.4f}", number(row.get("largest"), ".1e"),
             number(row.get("mean"), ".1e"), number(row.get("kept"), ".1f"), checked(row),
-            "ok" if row["same"] else "**differ**", f"{row['seconds']:.2f}", f"{row['quads'] / row['seconds']:,.0f}"]
+            ", ".join(map(str, row.get("threads", [1, 2, 4, 7]))) if row["same"] else "**differ**", f"{row['seconds']:.2f}", f"{row['quads'] / row['seconds']:,.0f}"]
 
 
 HEADER = ["surface", "quads", "irregular %", "SJ min", "SJ mean", "largest distance", "mean", "sharp edges kept %", "referee",
-          "bytes on 1, 2, 4, 7 threads", "s", "quads/s"]
+          "same bytes on threads", "s", "quads/s"]
 
 
 def text_of(kept, missed):
@@ -107,7 +108,9 @@ def parse():
     parser.add_argument("--quarry", default="build/quarry")
     parser.add_argument("--counts", default="10000,50000")
     parser.add_argument("--only", default="")
+    parser.add_argument("--threads", default="2,4,7")
     parser.add_argument("--quick", action="store_true")
+    parser.add_argument("--add", action="store_true")
     parser.add_argument("--keep", default="out/surfaces.json")
     parser.add_argument("--out", default="docs/results-surfaces.md")
     return parser.parse_args()
@@ -121,6 +124,9 @@ def main():
     if options.quick:
         options.counts, surfaces = "2000", surfaces[:3]
     kept = {"machine": machine_text(), "commit": source_commit(), "rows": {}}
+    if options.add:
+        kept["rows"] = load_json(options.keep)["rows"]
+    os.makedirs(os.path.dirname(options.keep) or ".", exist_ok=True)
     with tempfile.TemporaryDirectory() as folder:
         for count in options.counts.split(","):
             rows = kept["rows"].setdefault(count, {})
@@ -129,12 +135,11 @@ def main():
                     continue
                 say(f"{name}, {count}")
                 rows[name] = measure(options, referee, os.path.join(options.data, "surface", file), count, folder)
+                with open(options.keep, "w") as file:
+                    json.dump(kept, file, indent=1)
     if options.quick:
         print(text_of(kept, ""))
         return
-    os.makedirs(os.path.dirname(options.keep) or ".", exist_ok=True)
-    with open(options.keep, "w") as file:
-        json.dump(kept, file, indent=1)
     page.write(options.out, kept, text_of)
 
 

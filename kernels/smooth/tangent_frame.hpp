@@ -11,6 +11,19 @@
 
 namespace quarry {
 
+// A direction of length 1 across a normal of length 1. The axis of coordinates that is least along the normal
+// gives it without cancellation.
+inline Vec3 any_tangent(Vec3 normal) {
+  const Vec3 size{std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)};
+  Vec3 axis{0, 0, 1};
+  if (size.x <= size.y && size.x <= size.z)
+    axis = {1, 0, 0};
+  else if (size.y <= size.z)
+    axis = {0, 1, 0};
+  const Vec3 across = axis - dot(axis, normal) * normal;
+  return (1.0 / length(across)) * across;
+}
+
 template <class Point>
 class TangentFrame;
 
@@ -31,15 +44,7 @@ class TangentFrame<SpacePoint> {
   // normal: of length 1. The frame turns left seen from where it points to.
   TangentFrame(const SpacePoint& point, Vec3 normal)
       : place_(point.place), up_(normal), found_at_(point.found_at) {
-    // The axis that is least along the normal gives the first direction without cancellation.
-    const Vec3 size{std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)};
-    Vec3 axis{0, 0, 1};
-    if (size.x <= size.y && size.x <= size.z)
-      axis = {1, 0, 0};
-    else if (size.y <= size.z)
-      axis = {0, 1, 0};
-    const Vec3 first = axis - dot(axis, normal) * normal;
-    first_ = (1.0 / length(first)) * first;
+    first_ = any_tangent(normal);
     second_ = cross(normal, first_);
   }
   [[nodiscard]] Vec2 relative(const SpacePoint& p) const {

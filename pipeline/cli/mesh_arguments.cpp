@@ -50,10 +50,11 @@ void add_shape_options(CLI::App& command, MeshArguments& arguments) {
          "alignment fronts go N steps away from the lines before triangles are paired; default 0, or 4 with "
          "--preset paper")
       ->check(CLI::Range(0, 100));
-  option("--quads", arguments.quads, "cluster|matching",
+  option("--quads", arguments.quads, "cluster|matching|field",
          "how triangles become quadrilaterals: cluster halves every edge; matching keeps the edges of the "
-         "triangles; default cluster")
-      ->check(one_of({"cluster", "matching"}));
+         "triangles; field, on surfaces, halves those of rows of squares; default field on surfaces, else "
+         "cluster")
+      ->check(one_of({"cluster", "matching", "field"}));
   option(
       "--anneal", arguments.section.anneal, "N",
       "with --quads matching: N sweeps of annealing, reproducible by --seed, for fewer Steiner points where "
@@ -169,6 +170,7 @@ double parse_degrees(const std::string& text) {
 
 void refuse_what_is_not_built(const MeshArguments& arguments) {
   if (arguments.method != "deferred") fail_not_built("--method " + arguments.method, "use deferred");
+  if (arguments.quads == "field") fail_not_built("--quads field of lines", "use cluster or matching");
   const SectionOptions& section = arguments.section;
   if (!section.sizes.uniform() && section.start != StartMesh::kCrisscross)
     fail_not_built("sizes that differ by place, with this start mesh,", "use --start 4-8");

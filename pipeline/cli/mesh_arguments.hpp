@@ -23,8 +23,7 @@ struct MeshArguments {
   MeshOutput written;
 
   // As written; fill_section() reads them.
-  std::string elements = "quad", method = "deferred", start, orient, quads = "cluster", cleanup,
-              preset = "default";
+  std::string elements = "quad", method = "deferred", start, orient, quads, cleanup, preset = "default";
   std::optional<double> mixed_quality;
   bool keep_boundary = false;
 

@@ -8,12 +8,12 @@
 #include "engine/base/error.hpp"
 #include "engine/base/log.hpp"
 #include "io/lines/line_reader.hpp"
+#include "pipeline/surface/elements.hpp"
 #include "pipeline/surface/find_surface_sizes.hpp"
 #include "pipeline/surface/finish_surface.hpp"
 #include "pipeline/surface/read_surface.hpp"
 #include "surface/feature/bind.hpp"
 #include "surface/model/surface_model.hpp"
-#include "surface/remesh/remesh.hpp"
 #include "surface/repair/coarsen_joins.hpp"
 #include "surface/repair/sheets.hpp"
 #include "surface/repair/split_joins.hpp"
@@ -26,13 +26,6 @@ double area_of(const TriangleSurface& surface) {
   for (const SurfaceTriangle& t : surface.triangles) area += 0.5 * length(doubled_area(surface, t));
   return area;
 }
-
-// The area of an equilateral triangle, and of a square, of edge 1.
-double element_area(Elements elements) { return elements == Elements::kTriangle ? 0.25 * std::sqrt(3.0) : 1; }
-
-// Triangles of this edge are to make quads of edge 1: two that are paired make four, one that is not makes
-// three, as about one in eight does.
-const double kTrianglesForQuads = std::sqrt(2.12 * 4 / std::sqrt(3.0));
 
 // Of lines: how they are led, in edges of triangles; and by default, in sizes, what they snap to and how far
 // from the surface they may lie.
@@ -51,12 +44,40 @@ class SurfaceJob {
     clock_.start("repairing");
     RepairedSurface repaired = repair_surface(std::move(surface), options_.repair);
     find_size(repaired.surface);
-    const double edge = result_.size * (makes_quads() ? kTrianglesForQuads : 1);
-    RemeshOptions remesh;
     result_.repaired = repaired.surface;
+    choose_method(repaired);
+    if (result_.method == SurfaceQuads::kCluster || !follow_field(repaired)) mesh(repaired);
+    result_.repair = std::move(repaired.report);
+    clock_.stop();
+    result_.times = clock_.times();
+    return std::move(result_);
+  }
+
+ private:
+  // False, with a note why, if quads have to be made in the other way, as if nothing else had been tried.
+  bool follow_field(const RepairedSurface& repaired) {
+    try {
+      if (mesh(repaired)) return true;
+      note_clusters("features or walls lie nearer to one another than two elements in many places");
+    } catch (const Error& error) {
+      if (error.kind() != ErrorKind::kGeometry) throw;
+      note_clusters("a lattice leaves elements inverted or upside down");
+    }
+    result_.method = SurfaceQuads::kCluster;
+    return false;
+  }
+  void note_clusters(const char* why) {
+    result_.notes.push_back(std::string(why) + ": quads are made as by --quads cluster");
+  }
+
+  // By the method of the result; false if that cannot be had.
+  bool mesh(RepairedSurface repaired) {
+    const double edge = first_edge(options_.elements, result_.method) * result_.size;
+    const RemeshOptions remesh;
     coarsen_joins(repaired, {.shortest = remesh.shortest * edge,
                              .longest = remesh.longest * edge,
                              .deviation = remesh.feature_deviation * edge});
+    result_.imprint = {};
     const std::vector<LineEdge> lines = imprint(repaired, edge);
     split_joins(repaired, remesh.longest * edge);
     clock_.start("finding features");
@@ -65,36 +86,20 @@ class SurfaceJob {
     const FeatureEdges found = find_feature_edges(repaired, features, lines);
     const CurveNetwork network = make_curve_network(repaired.surface, found.edges, features);
     count(found, network);
-    Mesh& mesh = result_.mesh;
-    mesh = make_sheets(repaired);
-    const ConstraintTags tags = bind_features(mesh, network);
-    const SurfaceModel model(mesh, tags);
+    Mesh& elements = result_.mesh;
+    elements = make_sheets(repaired);
+    const ConstraintTags tags = bind_features(elements, network);
+    const SurfaceModel model(elements, tags);
     clock_.start("finding sizes");
-    const SurfaceSizes sizes = find_surface_sizes(mesh, options_, edge, result_.size, area_);
-    if (options_.count) remesh.wanted_faces = area_ / (element_area(Elements::kTriangle) * edge * edge);
-    clock_.start("remeshing");
-    result_.remesh = remesh_surface(mesh, model, network, sizes, remesh, progress_);
-    if (makes_quads()) {
-      clock_.start("making quads");
-      SurfaceQuadOptions quads;
-      quads.cleanup = options_.cleanup;
-      quads.graded = !sizes.uniform();
-      // With a wanted edge and details as many as there are: the details need more.
-      if (options_.count || sizes.uniform())
-        quads.wanted_faces = static_cast<std::size_t>(area_ / (result_.size * result_.size));
-      mesh = make_surface_quads(std::move(mesh), model, network, quads, result_.quads, progress_);
-    }
+    const SurfaceSizes sizes = find_surface_sizes(elements, options_, edge, result_.size, area_);
+    if (!make_elements({model, network, sizes, area_}, options_, result_, clock_, progress_)) return false;
     clock_.start("finishing");
-    require_valid_on_surface(mesh, model);
-    set_surface_regions(mesh, repaired.surface.groups, model);
-    finish_surface_mesh(mesh, network, result_.lines);
-    result_.repair = std::move(repaired.report);
-    clock_.stop();
-    result_.times = clock_.times();
-    return std::move(result_);
+    require_valid_on_surface(elements, model);
+    set_surface_regions(elements, repaired.surface.groups, model);
+    finish_surface_mesh(elements, network, result_.lines);
+    return true;
   }
 
- private:
   void find_size(const TriangleSurface& surface) {
     const double area = area_ = area_of(surface);
     if (!(area > 0)) throw Error(ErrorKind::kGeometry, "the surface has no area");
@@ -146,6 +151,13 @@ class SurfaceJob {
 
   [[nodiscard]] bool makes_quads() const { return options_.elements != Elements::kTriangle; }
 
+  void choose_method(const RepairedSurface& repaired) {
+    result_.method = makes_quads() ? options_.method : SurfaceQuads::kCluster;
+    if (result_.method == SurfaceQuads::kCluster || repaired.joins.empty()) return;
+    note_clusters("sheets of the surface meet");
+    result_.method = SurfaceQuads::kCluster;
+  }
+
   const SurfaceOptions& options_;
   const Progress& progress_;
   StageClock clock_;
@@ -154,6 +166,8 @@ class SurfaceJob {
 };
 
 }  // namespace
+
+const char* name_of(SurfaceQuads method) { return method == SurfaceQuads::kField ? "field" : "cluster"; }
 
 SurfaceResult mesh_surface(const SurfaceOptions& options, const Progress& progress) {
   return SurfaceJob(options, progress).run();

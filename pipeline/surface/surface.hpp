@@ -14,11 +14,20 @@
 #include "pipeline/section/stages.hpp"
 #include "surface/feature/options.hpp"
 #include "surface/imprint/imprint.hpp"
+#include "surface/lattice/options.hpp"
 #include "surface/quads/quads.hpp"
 #include "surface/remesh/options.hpp"
 #include "surface/repair/repair.hpp"
 
 namespace quarry {
+
+// How quads are made.
+enum class SurfaceQuads : std::uint8_t {
+  kField,    // from triangles in rows that follow a field of crosses (surface/lattice)
+  kCluster,  // from triangles that are nearly equilateral, where two make a good one
+};
+// The word of the command line: field, cluster.
+[[nodiscard]] const char* name_of(SurfaceQuads method);
 
 struct SurfaceOptions {
   std::vector<std::string> inputs;
@@ -34,6 +43,9 @@ struct SurfaceOptions {
   std::optional<double> curvature;
   double max_elements = 2e8;
   Elements elements = Elements::kQuad;  // or kTriangle
+  // Surfaces whose sheets meet are clustered whatever is asked for: what they have in common is divided
+  // before.
+  SurfaceQuads method = SurfaceQuads::kField;
   CleanUpLevel cleanup = CleanUpLevel::kFull;
   RepairOptions repair;
   FeatureOptions features;  // its size is set by the job
@@ -59,6 +71,8 @@ struct SurfaceResult {
   std::size_t lines = 0;  // read
   double size = 0;        // as used
   RemeshReport remesh;
+  SurfaceQuads method = SurfaceQuads::kCluster;  // as used
+  LatticeReport lattice;                         // of kField
   SurfaceQuadReport quads;
   std::vector<std::string> notes;  // one line each: what the user should know
   std::vector<StageTime> times;

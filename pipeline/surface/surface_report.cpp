@@ -43,14 +43,18 @@ std::string places_of(const RepairCount& count) {
 }  // namespace
 
 std::vector<ReportItem> resolved_options(const SurfaceOptions& options, const SurfaceResult& result) {
-  return {{"size", result.size},
-          {"elements", std::string(options.elements == Elements::kTriangle ? "tri" : "quad")},
-          {"cleanup", std::string(name_of(options.elements == Elements::kTriangle ? CleanUpLevel::kNone
-                                                                                  : options.cleanup))},
-          {"sharp", result.features.sharp_degrees},
-          {"curvature", options.curvature.value_or(0)},
-          {"weld", options.repair.weld},
-          {"fill-holes", std::int64_t{options.repair.fill_holes}}};
+  std::vector<ReportItem> items{
+      {"size", result.size},
+      {"elements", std::string(options.elements == Elements::kTriangle ? "tri" : "quad")},
+      {"cleanup",
+       std::string(name_of(options.elements == Elements::kTriangle ? CleanUpLevel::kNone : options.cleanup))},
+      {"sharp", result.features.sharp_degrees},
+      {"curvature", options.curvature.value_or(0)},
+      {"weld", options.repair.weld},
+      {"fill-holes", std::int64_t{options.repair.fill_holes}}};
+  if (options.elements != Elements::kTriangle)
+    items.push_back({"quads", std::string(name_of(result.method))});
+  return items;
 }
 
 JobReport report_surface(const SurfaceOptions& options, const SurfaceResult& result, QualitySummary quality) {
@@ -68,6 +72,8 @@ JobReport report_surface(const SurfaceOptions& options, const SurfaceResult& res
                    {"rim_input_edges", whole(f.rim_edges)},     {"join_input_edges", whole(f.join_edges)},
                    {"holes", whole(result.repair.holes)},       {"splits", whole(r.splits)},
                    {"collapses", whole(r.collapses)},           {"flips", whole(r.flips)}};
+  if (options.elements != Elements::kTriangle && result.method == SurfaceQuads::kField)
+    report.counts.push_back({"singularities", whole(result.lattice.singularities)});
   report.notes = result.notes;
   if (!options.lines.empty()) {
     report.input_files.insert(report.input_files.end(), options.lines.begin(), options.lines.end());

@@ -1,20 +1,23 @@
 #include "surface/remesh/relocate.hpp"
 
-#include <algorithm>
-#include <array>
 #include <vector>
+
+#include "surface/remesh/moving_star.hpp"
 
 namespace quarry {
 namespace {
 
 // A vertex that would move by less than this share of the wanted edge stays.
 constexpr double kSmallestMove = 0.02;
+// More than any measure.
+constexpr double kAll = 2;
 // How far the nearest point of the surface may lie from a target, in lengths of the step.
 constexpr double kSheetJump = 1.5;
 
 class RelocateMover {
  public:
-  explicit RelocateMover(const RemeshState& state) : state_(&state), guard_(state.guard()) {}
+  // Stars whose triangles all have at least this measure are left alone.
+  RelocateMover(const RemeshState& state, double content) : state_(&state), star_(state), content_(content) {}
 
   [[nodiscard]] bool may_move(VertexId v) const {
     const Support support = state_->tags.support[v];
@@ -25,54 +28,21 @@ class RelocateMover {
   }
 
   bool move(Mesh& mesh, VertexId v) {
-    gather(mesh, v);
+    star_.gather(v);
+    if (star_.worst() >= content_) return false;
+    place_ = mesh.point3(v);
+    wanted_ = state_->wanted_edge(v);
     const Support support = state_->tags.support[v];
     return support.is_free() ? move_free(mesh, v) : move_along(mesh, v, support.piece());
   }
 
  private:
-  struct Corner {
-    std::array<VertexId, 3> ids;  // the vertex first
-    std::array<Vec3, 3> points;
-  };
-
-  void gather(const Mesh& mesh, VertexId v) {
-    star_.clear();
-    for_each_side_around(mesh, v, [&](SideId s) {
-      const std::array ids{v, mesh.target(s), mesh.origin(mesh.previous(s))};
-      star_.push_back({ids, state_->points(ids)});
-    });
-    place_ = mesh.point3(v);
-    wanted_ = state_->wanted_edge(v);
-    worst_ = worst_at(place_);
-  }
-
-  [[nodiscard]] double worst_at(Vec3 p) const {
-    double worst = 1;
-    for (const Corner& c : star_) worst = std::min(worst, lo_measure(p, c.points[1], c.points[2]));
-    return worst;
-  }
-
-  // A target that may be taken, judged with the normal that the vertex would have there.
-  [[nodiscard]] bool fits(Vec3 target, Vec3 normal) const {
-    const double worst = worst_at(target);
-    if (worst < state_->options.content && worst < worst_) return false;
-    for (const Corner& c : star_) {
-      const Vec3 n = unit_normal(target, c.points[1], c.points[2]);
-      const Vec3 before = unit_normal(place_, c.points[1], c.points[2]);
-      if (n == Vec3() || !guard_.agrees(n, normal) || !guard_.agrees(n, before)) return false;
-      if (!guard_.agrees(n, state_->normals[c.ids[1]]) || !guard_.agrees(n, state_->normals[c.ids[2]]))
-        return false;
-    }
-    return true;
-  }
-
   [[nodiscard]] bool is_small(Vec3 step) const { return !(length(step) > kSmallestMove * wanted_); }
 
   bool move_free(Mesh& mesh, VertexId v) {
     Vec3 sum;
     double weight = 0;
-    for (const Corner& c : star_) {
+    for (const MovingStar::Corner& c : star_.corners()) {
       const Vec3 out = c.points[1] - place_;
       const Vec3 back = c.points[2] - place_;
       const double area = length(cross(out, back));
@@ -87,7 +57,7 @@ class RelocateMover {
       const SurfacePoint foot = state_->model.nearest({place_ + step, normal});
       if (length(foot.position - (place_ + step)) > kSheetJump * length(step)) continue;
       const Vec3 up = state_->model.with_normal(foot).up;
-      if (!fits(foot.position, up)) continue;
+      if (!star_.fits(foot.position, up, state_->options.content)) continue;
       put(mesh, v, foot.position, up);
       auto wanted = state_->wanted;
       wanted[v] = state_->sizes.at(foot);
@@ -102,7 +72,7 @@ class RelocateMover {
                                    [&](VertexId w) { ends.push_back(mesh.point3(w)); });
     if (ends.size() != 2) return false;
     const Vec3 target = state_->network.project(curve, 0.5 * (ends[0] + ends[1]));
-    if (is_small(target - place_) || !fits(target, Vec3())) return false;
+    if (is_small(target - place_) || !star_.fits(target, Vec3(), state_->options.content)) return false;
     put(mesh, v, target, Vec3());
     return true;
   }
@@ -114,17 +84,25 @@ class RelocateMover {
   }
 
   const RemeshState* state_;
-  TriangleGuard guard_;
-  std::vector<Corner> star_;
+  MovingStar star_;
   Vec3 place_;
-  double worst_ = 0, wanted_ = 0;
+  double wanted_ = 0;
+  double content_;
 };
+
+SweepReport relocate(RemeshState& state, double content, int sweeps, const Progress& progress) {
+  VertexColouring colouring(state.mesh);
+  return run_sweeps(state.mesh, colouring, RelocateMover(state, content), sweeps, progress);
+}
 
 }  // namespace
 
 SweepReport relocate_vertices(RemeshState& state, int sweeps, const Progress& progress) {
-  VertexColouring colouring(state.mesh);
-  return run_sweeps(state.mesh, colouring, RelocateMover(state), sweeps, progress);
+  return relocate(state, kAll, sweeps, progress);
+}
+
+SweepReport relocate_below(RemeshState& state, double measure, int sweeps, const Progress& progress) {
+  return relocate(state, measure, sweeps, progress);
 }
 
 }  // namespace quarry

@@ -12,5 +12,7 @@ namespace quarry {
 // than before, or if the surface's nearest point lies farther from the target than the step was long: on
 // another sheet.
 SweepReport relocate_vertices(RemeshState& state, int sweeps, const Progress& progress);
+// The same of vertices with a triangle of a lower measure than that alone.
+SweepReport relocate_below(RemeshState& state, double measure, int sweeps, const Progress& progress);
 
 }  // namespace quarry

@@ -16,6 +16,9 @@ namespace {
 
 // Each pass of splits halves what is longest: enough for edges of 2^40 wanted lengths.
 constexpr int kMostSplitPasses = 80;
+// What is left goes to the next round: where many edges are just as long as may be, each pass of splits and
+// flips makes a few more too long, for a hundred passes.
+constexpr double kFewSplits = 0.005;  // of the triangles
 constexpr int kMovesEachRound = 2;
 // How far the number of triangles may be from what the wanted edge asks for.
 constexpr double kCountTolerance = 0.02;
@@ -83,6 +86,7 @@ RemeshReport remesh_surface(Mesh& mesh, const SurfaceModel& model, const CurveNe
       report.splits += splits;
       changes += splits;
       report.flips += flip_edges(state, FlipAim::kMeasure, progress);
+      if (static_cast<double>(splits) < kFewSplits * static_cast<double>(mesh.count_alive_faces())) break;
     }
     const std::uint64_t collapses = collapse_short_edges(state, progress);
     report.collapses += collapses;

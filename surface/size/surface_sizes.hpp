@@ -29,6 +29,13 @@ class SurfaceSizes {
   void set_edge(double edge) { edge_ = edge; }
   // All limits times so much.
   void set_leniency(double factor) { leniency_ = factor; }
+  // The same times so much everywhere, but for the growth.
+  [[nodiscard]] SurfaceSizes times(double factor) const {
+    SurfaceSizes result = *this;
+    result.edge_ *= factor;
+    result.leniency_ *= factor;
+    return result;
+  }
   // The sum of area / edge^2 over the surface, by the sizes at the corners: about how many squares of the
   // wanted edges have room on it. Not for uniform ones, which know no area.
   [[nodiscard]] double squares() const;

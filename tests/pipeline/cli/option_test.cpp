@@ -126,6 +126,7 @@ TEST(CommandLine, WhatIsNotBuiltSaysSo) {
   const std::vector<std::vector<std::string>> values = {
       {"--method", "front"},
       {"--method", "blocks"},
+      {"--quads", "field"},
   };
   for (const std::vector<std::string>& value : values) {
     std::vector<std::string> arguments = {"mesh", kDemoSection, "-o", "out.vtu", "--size", "20"};

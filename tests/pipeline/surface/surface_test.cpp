@@ -169,5 +169,29 @@ TEST_F(SurfaceJob, RefusesWhatItCannotMeshInOneLine) {
   }
 }
 
+TEST_F(SurfaceJob, OfQuadsFollowsAFieldWithFewerIrregularVerticesThanClusters) {
+  SurfaceOptions options = options_for(file_of(test::sphere(5)), 4000);
+  const SurfaceResult field = mesh_surface(options, Progress());
+  options.method = SurfaceQuads::kCluster;
+  const SurfaceResult cluster = mesh_surface(options, Progress());
+  EXPECT_EQ(field.method, SurfaceQuads::kField);
+  EXPECT_EQ(cluster.method, SurfaceQuads::kCluster);
+  EXPECT_LT(summarize_quality(field.mesh).valence.irregular_share(),
+            summarize_quality(cluster.mesh).valence.irregular_share());
+  EXPECT_GT(summarize_quality(field.mesh).quads.scaled_jacobian.mean, 0.98);
+}
+
+// Strips of regions that are narrower than two elements: a lattice has as many rows as there are strips.
+TEST_F(SurfaceJob, WithFeaturesTooNearForALatticeClustersAndSaysSo) {
+  TriangleSurface strips = test::terrain(40, 40, [](double, double) { return 0.0; });
+  for (std::size_t t = 0; t < strips.groups.size(); ++t)
+    strips.groups[t] = static_cast<std::int32_t>(t / 80 % 2);
+  const SurfaceResult result = mesh_surface(options_for(file_of(strips), 600), Progress());
+  EXPECT_EQ(result.method, SurfaceQuads::kCluster);
+  ASSERT_EQ(result.notes.size(), 1U);
+  EXPECT_NE(result.notes[0].find("--quads cluster"), std::string::npos);
+  EXPECT_GT(summarize_quality(result.mesh).quads.scaled_jacobian.min, 0);
+}
+
 }  // namespace
 }  // namespace quarry

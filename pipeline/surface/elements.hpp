@@ -1,0 +1,31 @@
+// The elements of the surface job: triangles of the wanted size, and quads of them.
+#pragma once
+
+#include "pipeline/surface/surface.hpp"
+#include "surface/feature/curve_network.hpp"
+#include "surface/model/surface_model.hpp"
+#include "surface/size/surface_sizes.hpp"
+
+namespace quarry {
+
+// The area of an equilateral triangle, or of a square, of edge 1.
+[[nodiscard]] double element_area(Elements elements);
+
+// The edge that elements of edge 1 begin with: that of the triangles which are paired, or of the lattice.
+[[nodiscard]] double first_edge(Elements elements, SurfaceQuads method);
+
+struct SurfaceToMesh {
+  const SurfaceModel& model;
+  const CurveNetwork& network;
+  const SurfaceSizes& sizes;  // of what elements begin with
+  double area;
+};
+
+// result: its mesh is that of the surface, with features bound, and becomes that of the elements; its size
+// and method say what they are to be, its reports are filled. False, with a mesh that is of no use, if
+// features or walls keep a lattice from becoming as coarse as it is to be: its quads would be worse than
+// others.
+[[nodiscard]] bool make_elements(const SurfaceToMesh& surface, const SurfaceOptions& options,
+                                 SurfaceResult& result, StageClock& clock, const Progress& progress);
+
+}  // namespace quarry
