@@ -201,9 +201,11 @@ IdVector<PointId, PointEntry> point_entries(const LineSet& lines, const PathNetw
     entry.why.clear();
     sharers[entry.node].push_back(id);
   }
-  for (const auto& [node, points] : sharers)
-    if (points.size() > 1)
-      for (const PointId id : points) entries[id].why = "one vertex for points " + text_of_sharers(points);
+  for (auto& [node, points] : sharers) {
+    if (points.size() < 2) continue;
+    std::sort(points.begin(), points.end());
+    for (const PointId id : points) entries[id].why = "one vertex for points " + text_of_sharers(points);
+  }
   return entries;
 }
 

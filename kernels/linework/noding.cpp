@@ -17,6 +17,7 @@
 #include "kernels/linework/nearest_course.hpp"
 #include "kernels/linework/node_buckets.hpp"
 #include "kernels/linework/node_places.hpp"
+#include "kernels/linework/place_order.hpp"
 #include "kernels/linework/raw_stretch.hpp"
 
 namespace quarry::linework {
@@ -388,6 +389,7 @@ class Clustering {
         path.steps.push_back({node_at(i), static_cast<double>(i - begin_[r])});
     }
     network_.drop_repeated_steps();
+    order_by_place(network_);
     return std::move(network_);
   }
 
