@@ -29,8 +29,9 @@ CellFrame CellFrame::within(const Box2& part, double side, std::size_t cell_limi
 }
 
 Box2 CellFrame::box(std::size_t cell) const {
-  const Vec2 low =
-      low_ + side_ * Vec2{static_cast<double>(cell % columns_), static_cast<double>(cell / columns_)};
+  const std::size_t row = cell / columns_;
+  const std::size_t column = cell - row * columns_;
+  const Vec2 low = low_ + side_ * Vec2{static_cast<double>(column), static_cast<double>(row)};
   return Box2{low, low + Vec2{side_, side_}}.grown(slack_);
 }
 
