@@ -39,7 +39,7 @@ CleanUpLevel clean_up_level(const SectionOptions& options) {
 }
 
 double closed_wedge(const SectionOptions& options) {
-  constexpr double kUsual = 10;
+  constexpr double kUsual = 5;
   return options.preset == Preset::kPaper || options.keep_boundary ? 0 : kUsual;
 }
 
