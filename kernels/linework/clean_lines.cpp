@@ -36,6 +36,9 @@ void require_usable(const CleanOptions& options) {
           ErrorKind::kUsage,
           fmt::format("snap {}, min-edge {} and tolerance {} must be lengths: finite and not negative",
                       options.snap, options.min_edge, options.tolerance));
+  if (!(options.closed_wedge >= 0 && options.closed_wedge <= 30))
+    throw Error(ErrorKind::kUsage, fmt::format("wedges are closed below an angle of 0 to 30 degrees, not {}",
+                                               options.closed_wedge));
 }
 
 double largest_coordinate(const LineSet& lines, const Outline& outline) {
@@ -201,9 +204,11 @@ IdVector<PointId, PointEntry> point_entries(const LineSet& lines, const PathNetw
     entry.why.clear();
     sharers[entry.node].push_back(id);
   }
-  for (const auto& [node, points] : sharers)
-    if (points.size() > 1)
-      for (const PointId id : points) entries[id].why = "one vertex for points " + text_of_sharers(points);
+  for (auto& [node, points] : sharers) {
+    if (points.size() < 2) continue;
+    std::sort(points.begin(), points.end());
+    for (const PointId id : points) entries[id].why = "one vertex for points " + text_of_sharers(points);
+  }
   return entries;
 }
 
@@ -255,7 +260,7 @@ CleanedLines clean_lines(const LineSet& lines, const Outline& outline, const Cle
   linework::Reasons reasons(lines.lines.size());
   note_points(lines, network, reasons);
   const double budget = result.options.snap + result.options.min_edge + result.options.tolerance;
-  linework::node_and_snap(network, result.options.snap, budget, result.counts, progress);
+  linework::node_and_snap(network, result.options, budget, result.counts, progress);
   linework::note_lost_lines(network, "was merged into one point with others within the snapping distance",
                             reasons);
 

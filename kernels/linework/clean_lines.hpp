@@ -30,6 +30,9 @@ struct CleanOptions {
   double min_edge = 0;
   // A bend may go if no raw point that the joined piece stands for ends up farther than this from it.
   double tolerance = 0;
+  // Degrees, 0 to 30: where two pieces leave a node at a smaller angle, the second follows the first as long
+  // as it is nearer to it than snap, and then leaves it at a wider one. 0: they keep their courses.
+  double closed_wedge = 0;
 };
 
 // What became of an input line; the first that applies.
@@ -65,6 +68,7 @@ struct CleanCounts {
   std::uint32_t crossings = 0;        // that became nodes
   std::uint32_t bends = 0;            // nodes that a foreign piece was bent through
   std::uint32_t anchors = 0;          // nodes that bring a line that drifts away back to its raw course
+  std::uint32_t closed_wedges = 0;    // narrow ones
   std::uint32_t reroutes = 0;         // times that a path was laid anew because bending had led it astray
   std::uint32_t simplified = 0;       // bends removed within the tolerance
   std::uint32_t collapsed = 0;        // pieces collapsed for being short

@@ -14,9 +14,11 @@
 #include "kernels/linework/conflicts.hpp"
 #include "kernels/linework/gather.hpp"
 #include "kernels/linework/lonely_points.hpp"
+#include "kernels/linework/narrow_wedges.hpp"
 #include "kernels/linework/nearest_course.hpp"
 #include "kernels/linework/node_buckets.hpp"
 #include "kernels/linework/node_places.hpp"
+#include "kernels/linework/place_order.hpp"
 #include "kernels/linework/raw_stretch.hpp"
 
 namespace quarry::linework {
@@ -38,18 +40,22 @@ constexpr double kSampling = 0.25;
 // nodes farther apart, or a few such lines would become millions of nodes.
 constexpr double kMostSamples = 4096;
 
+// Each closes every other wedge of a fan.
+constexpr std::uint32_t kRoundsOfWedges = 8;
+
 constexpr std::size_t kCheckedPerChunk = 256;
 constexpr std::size_t kCrossingsPerChunk = 512;
 
 class Noder {
  public:
-  Noder(PathNetwork& network, double snap, double budget, CleanCounts& counts)
+  Noder(PathNetwork& network, const CleanOptions& options, double budget, CleanCounts& counts)
       : network_(network),
-        snap_(snap),
-        too_far_(std::min(budget, kTooFar * snap)),
+        snap_(options.snap),
+        closed_wedge_(options.closed_wedge * std::numbers::pi / 180),
+        too_far_(std::min(budget, kTooFar * snap_)),
         counts_(counts),
-        places_(network, std::numbers::sqrt2 * snap),
-        search_(network, snap) {}
+        places_(network, std::numbers::sqrt2 * snap_),
+        search_(network, snap_) {}
 
   void run(const Progress& progress) {
     for (;;) {
@@ -58,7 +64,7 @@ class Noder {
       if (network_.edges.empty()) return;
       search_.update();
       const bool settled = !snap_nodes(search_.segments()) && !node_crossings(search_.segments());
-      if (!lay_far_paths_anew({}) && settled) return;
+      if (!lay_far_paths_anew({}) && settled && !close_wedges()) return;
       ++counts_.rounds;
     }
   }
@@ -307,6 +313,15 @@ class Noder {
     return true;
   }
 
+  // Whether there was any.
+  bool close_wedges() {
+    if (wedge_rounds_ == 0 || closed_wedge_ == 0) return false;
+    --wedge_rounds_;
+    const std::uint32_t closed = close_narrow_wedges(network_, places_, snap_, closed_wedge_);
+    counts_.closed_wedges += closed;
+    return closed > 0;
+  }
+
   // Two: for both edges, without a node for one that it ends already.
   void set_insertions(const Crossing& crossing, NodeId node, const std::vector<Segment>& segments,
                       Insertion* two) const {
@@ -346,11 +361,13 @@ class Noder {
 
   PathNetwork& network_;
   double snap_;
+  double closed_wedge_;  // radians
   double too_far_;
   CleanCounts& counts_;
   NodePlaces places_;
   ConflictSearch search_;
   std::uint32_t bending_rounds_ = kRoundsOfBending;
+  std::uint32_t wedge_rounds_ = kRoundsOfWedges;
 };
 
 // Points become nodes one after the other, unless a node is near. That takes one thread, but most points have
@@ -388,6 +405,7 @@ class Clustering {
         path.steps.push_back({node_at(i), static_cast<double>(i - begin_[r])});
     }
     network_.drop_repeated_steps();
+    order_by_place(network_);
     return std::move(network_);
   }
 
@@ -430,9 +448,9 @@ PathNetwork cluster_points(std::vector<RawLine> raw, double snap) {
   return Clustering(std::move(raw), std::numbers::sqrt2 * snap).run();
 }
 
-void node_and_snap(PathNetwork& network, double snap, double budget, CleanCounts& counts,
+void node_and_snap(PathNetwork& network, const CleanOptions& options, double budget, CleanCounts& counts,
                    const Progress& progress) {
-  Noder(network, snap, budget, counts).run(progress);
+  Noder(network, options, budget, counts).run(progress);
 }
 
 }  // namespace quarry::linework

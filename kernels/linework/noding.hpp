@@ -9,7 +9,8 @@
 namespace quarry::linework {
 
 // Builds the network: raw points cluster to nodes at least sqrt(2) * snap apart, with the coordinates of one
-// of them; points of the outline come first, then ends of lines, then the rest, each in reading order.
+// of them; points of the outline come first, then ends of lines, then the rest, each in reading order. Nodes
+// and paths are numbered by place.
 [[nodiscard]] PathNetwork cluster_points(std::vector<RawLine> raw, double snap);
 
 // Why it ends. A node n nearer than s = snap to an edge ab bends it. While all nodes are sqrt(2) s apart, an
@@ -26,9 +27,11 @@ namespace quarry::linework {
 // any more, for a foot would have to be s away from both ends. Where lines are that dense, the result is thus
 // as good as one on a lattice of that spacing, and as sure to be found.
 //
+// What is noded has its narrow wedges closed (narrow_wedges.hpp) and is noded again, a few times.
+//
 // budget: how far a line may be from its raw course in the end. Throws Error(kGeometry) with the place if the
 // rounds run out all the same.
-void node_and_snap(PathNetwork& network, double snap, double budget, CleanCounts& counts,
+void node_and_snap(PathNetwork& network, const CleanOptions& options, double budget, CleanCounts& counts,
                    const Progress& progress);
 
 }  // namespace quarry::linework

@@ -49,7 +49,15 @@ struct Insertion {
 };
 
 struct PathNetwork {
+  PathNetwork() = default;
+  PathNetwork(const PathNetwork&) = delete;  // would look at the points of the other
+  PathNetwork& operator=(const PathNetwork&) = delete;
+  PathNetwork(PathNetwork&&) = default;
+  PathNetwork& operator=(PathNetwork&&) = default;
+  ~PathNetwork() = default;
+
   std::vector<RawLine> raw;
+  std::vector<Vec2> raw_points;  // what those look at, once they are ordered by place
   std::vector<Path> paths;
   IdVector<NodeId, Vec2> nodes;
 

@@ -38,6 +38,11 @@ CleanUpLevel clean_up_level(const SectionOptions& options) {
                                                                    : CleanUpLevel::kFull);
 }
 
+double closed_wedge(const SectionOptions& options) {
+  constexpr double kUsual = 5;
+  return options.preset == Preset::kPaper || options.keep_boundary ? 0 : kUsual;
+}
+
 int front_steps(const SectionOptions& options) {
   if (!makes_quads(options)) return 0;
   const int of_preset = options.preset == Preset::kPaper ? kPublishedFrontSteps : 0;

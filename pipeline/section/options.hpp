@@ -96,6 +96,10 @@ void require_within_budget(const SectionOptions& options, double size, double el
 // Steps of alignment fronts that the options and their preset ask for.
 [[nodiscard]] int front_steps(const SectionOptions& options);
 
+// Below which angle wedges between the lines of a mesh are closed, in degrees (CleanOptions::closed_wedge);
+// none with the published procedure, nor where the outline takes no vertex.
+[[nodiscard]] double closed_wedge(const SectionOptions& options);
+
 // The clean-up that the options and their preset ask for; none for triangles.
 [[nodiscard]] CleanUpLevel clean_up_level(const SectionOptions& options);
 

@@ -189,7 +189,8 @@ void foresee(const SectionOptions& options, SectionResult& result) {
 }
 
 // Cleans the lines for the size that is wanted by now.
-void clean(const SectionOptions& options, SectionResult& result, StageClock& clock,
+// wedge: CleanOptions::closed_wedge.
+void clean(const SectionOptions& options, double wedge, SectionResult& result, StageClock& clock,
            const Progress& progress) {
   clock.start("cleaning");
   foresee(options, result);
@@ -199,7 +200,8 @@ void clean(const SectionOptions& options, SectionResult& result, StageClock& clo
   result.cleaned = clean_lines(result.lines, result.outline,
                                {.snap = result.lengths.snap,
                                 .min_edge = result.lengths.min_edge,
-                                .tolerance = result.lengths.tolerance},
+                                .tolerance = result.lengths.tolerance,
+                                .closed_wedge = wedge},
                                progress);
   require_all_told(result.lines, result.cleaned);
   result.lengths.snap = result.cleaned.options.snap;
@@ -234,7 +236,7 @@ void make_elements(const SectionOptions& options, SectionResult& result, StageCl
   const double smallest = result.lengths.size / kMostScale;
   const double largest = result.lengths.size * kMostScale;
   for (int round = 1;; ++round) {
-    clean(options, result, clock, progress);
+    clean(options, closed_wedge(options), result, clock, progress);
     if (round == 1) tell_prediction(options, result);
     make_triangles(options, result, clock, progress);
     if (makes_quads(options)) {
@@ -258,7 +260,7 @@ SectionResult clean_section(const SectionOptions& options, const Progress& progr
   SectionResult result;
   StageClock clock(progress);
   read(options, result, clock, progress);
-  clean(options, result, clock, progress);
+  clean(options, 0, result, clock, progress);  // a narrow crossing stays one
   clock.stop();
   result.times = clock.times();
   return result;

@@ -64,6 +64,7 @@ std::vector<ReportItem> counts_of(const SectionOptions& options, const SectionRe
                                     {"cleaned_nodes", whole(result.cleaned.lines.nodes.size())},
                                     {"cleaned_pieces", whole(result.cleaned.lines.pieces.size())},
                                     {"crossings", std::int64_t{c.crossings}},
+                                    {"closed_wedges", std::int64_t{c.closed_wedges}},
                                     {"reroutes", std::int64_t{c.reroutes}},
                                     {"simplified_bends", std::int64_t{c.simplified}},
                                     {"collapsed_pieces", std::int64_t{c.collapsed}},

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -16,6 +19,8 @@ namespace {
 using Ids = std::vector<std::uint32_t>;
 
 constexpr Vec2 kOrigin{6.7e6, 3e5};
+constexpr Vec2 kCrowd = {kOrigin.x + 30, kOrigin.y + 40};
+constexpr double kSpot = 1e-4;
 
 std::vector<Vec2> random_points(std::size_t size, std::uint64_t seed) {
   std::vector<Vec2> points(size);
@@ -80,6 +85,27 @@ TEST(PointGrid, TakesNoPointsRepeatedPointsAndBoxesElsewhere) {
   EXPECT_TRUE(found.empty());
 }
 
+TEST(PointGrid, LooksAtFewWhereNearlyAllLieInOneSpot) {
+  std::vector<Vec2> points = random_points(20'000, 5);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (i % 1000 != 0) points[i] = kCrowd + kSpot * (points[i] - kOrigin);
+  const PointGrid grid(points, 1e-8);
+  std::size_t looks = 0;
+  Ids found;
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    const Box2 box = Box2{points[i], points[i]}.grown(1e-8);
+    grid.visit_near(box, [&](std::uint32_t) { ++looks; });
+    grid.find(box, found);
+    ASSERT_TRUE(std::binary_search(found.begin(), found.end(), i));
+  }
+  EXPECT_LT(looks, 100 * points.size());
+  const auto order = grid.by_cells();
+  Ids all(order.begin(), order.end());
+  std::sort(all.begin(), all.end());
+  ASSERT_EQ(all.size(), points.size());
+  for (std::uint32_t i = 0; i < all.size(); ++i) ASSERT_EQ(all[i], i);
+}
+
 TEST(SegmentGrid, MissesNoSegmentThatMeetsTheBox) {
   const std::vector<Segment> segments = random_segments(1000, 2);
   for (const double side : {0.01, 1.0, 7.0, 1000.0}) {
@@ -127,6 +153,72 @@ TEST(SegmentGrid, LooksOnlyNearTheBox) {
   Ids found;
   grid.find({kOrigin + Vec2{50, 50}, kOrigin + Vec2{51, 51}}, found);
   EXPECT_LT(found.size(), 60U);
+}
+
+// Nearly all of them in a spot of a ten thousandth of the box, among them a bundle that runs through all of
+// it.
+std::vector<Segment> crowded_segments(std::size_t size, std::uint64_t seed) {
+  std::vector<Segment> segments = random_segments(size, seed);
+  for (std::size_t i = 0; i < size; ++i) {
+    if (i % 50 == 0) continue;
+    Segment& s = segments[i];
+    s = {kCrowd + kSpot * (s.from - kOrigin), kCrowd + kSpot * (s.to - kOrigin)};
+    if (i % 199 == 0) s.to = s.from + Vec2{60, 3};
+  }
+  return segments;
+}
+
+TEST(SegmentGrid, MissesNoSegmentWhereNearlyAllLieInOneSpot) {
+  const std::vector<Segment> segments = crowded_segments(1000, 12);
+  const SegmentGrid grid(segments, 1e-7);
+  Ids found;
+  for (std::uint64_t query = 0; query < 400; ++query) {
+    Box2 box = random_box(query);
+    if (query % 4 != 0) box = {kCrowd + kSpot * (box.low - kOrigin), kCrowd + kSpot * (box.high - kOrigin)};
+    grid.find(box, found);
+    ASSERT_EQ(std::adjacent_find(found.begin(), found.end(), std::greater_equal<>()), found.end());
+    Ids along;
+    grid.visit_along({box.low, box.high}, [&](std::uint32_t id) { along.push_back(id); });
+    for (std::uint32_t i = 0; i < segments.size(); ++i) {
+      const Segment& s = segments[i];
+      if (meets(s, box)) {
+        ASSERT_TRUE(std::binary_search(found.begin(), found.end(), i)) << "query " << query << ", " << i;
+      }
+      if (meeting(box.low, box.high, s.from, s.to) != Meeting::kApart) {
+        ASSERT_NE(std::find(along.begin(), along.end(), i), along.end()) << "query " << query << ", " << i;
+      }
+    }
+  }
+}
+
+TEST(SegmentGrid, HasACellForEachPairThatMeetsWhereNearlyAllLieInOneSpot) {
+  const std::vector<Segment> segments = crowded_segments(1000, 13);
+  const SegmentGrid grid(segments, 1e-7);
+  std::set<std::pair<std::uint32_t, std::uint32_t>> together;
+  for (std::size_t cell = 0; cell < grid.cell_count(); ++cell) {
+    const auto entries = grid.entries(cell);
+    ASSERT_TRUE(std::is_sorted(entries.begin(), entries.end()));
+    for (const std::uint32_t a : entries)
+      for (const std::uint32_t b : entries) together.emplace(a, b);
+  }
+  for (std::uint32_t a = 0; a < segments.size(); ++a) {
+    for (std::uint32_t b = 0; b < a; ++b) {
+      const bool meet =
+          meeting(segments[a].from, segments[a].to, segments[b].from, segments[b].to) != Meeting::kApart;
+      ASSERT_TRUE(!meet || together.contains({a, b})) << a << " and " << b;
+    }
+  }
+}
+
+TEST(SegmentGrid, LooksAtFewWhereNearlyAllLieInOneSpot) {
+  const std::vector<Segment> segments = crowded_segments(20'000, 14);
+  const SegmentGrid grid(segments, 1e-8);
+  std::size_t pairs = 0;
+  for (std::size_t cell = 0; cell < grid.cell_count(); ++cell)
+    pairs += grid.entries(cell).size() * grid.entries(cell).size();
+  // Most of them of the bundle, in each cell that it runs through. Without a split there are fifty times as
+  // many.
+  EXPECT_LT(pairs, 16'000'000U);
 }
 
 TEST(SegmentGrid, FindsTheSameOnAnyNumberOfThreads) {

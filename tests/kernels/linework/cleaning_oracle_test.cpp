@@ -1,39 +1,16 @@
 // GEOS as an oracle: where nothing comes near a tolerance, noding has one right answer.
+#include <utility>
+#include <vector>
 
-#include <geos_c.h>
 #include <gtest/gtest.h>
 
 #include "engine/base/random.hpp"
+#include "tests/kernels/linework/geos.hpp"
 #include "tests/kernels/linework/line_samples.hpp"
 #include "tests/kernels/linework/random_lines.hpp"
 
 namespace quarry {
 namespace {
-
-struct Geos {
-  Geos() : handle(GEOS_init_r()) {}
-  ~Geos() { GEOS_finish_r(handle); }
-  Geos(const Geos&) = delete;
-  Geos& operator=(const Geos&) = delete;
-
-  GEOSGeometry* line_of(const Points& points) const {
-    return GEOSGeom_createLineString_r(handle, sequence_of(points));
-  }
-
-  GEOSGeometry* polygon_of(const Points& ring) const {
-    GEOSCoordSequence* sequence = sequence_of(ring);
-    return GEOSGeom_createPolygon_r(handle, GEOSGeom_createLinearRing_r(handle, sequence), nullptr, 0);
-  }
-
-  GEOSCoordSequence* sequence_of(const Points& points) const {
-    GEOSCoordSequence* sequence = GEOSCoordSeq_create_r(handle, static_cast<unsigned>(points.size()), 2);
-    for (unsigned i = 0; i < points.size(); ++i)
-      GEOSCoordSeq_setXY_r(handle, sequence, i, points[i].x, points[i].y);
-    return sequence;
-  }
-
-  GEOSContextHandle_t handle;
-};
 
 TEST(CleaningOracle, NodesAsManyPiecesOfTheSameLengthAsGeos) {
   const Geos geos;
@@ -48,8 +25,7 @@ TEST(CleaningOracle, NodesAsManyPiecesOfTheSameLengthAsGeos) {
 
     std::vector<GEOSGeometry*> parts;
     for (const Points& points : lines) parts.push_back(geos.line_of(points));
-    GEOSGeometry* all = GEOSGeom_createCollection_r(geos.handle, GEOS_MULTILINESTRING, parts.data(),
-                                                    static_cast<unsigned>(parts.size()));
+    GEOSGeometry* all = geos.collection_of(GEOS_MULTILINESTRING, std::move(parts));
     GEOSGeometry* noded = GEOSNode_r(geos.handle, all);
     ASSERT_NE(noded, nullptr);
     double length = 0;
@@ -84,8 +60,7 @@ TEST(CleaningOracle, FindsTheSameUnionOfPolygonsAsGeos) {
         polygons.push_back(polygon);
       }
     }
-    GEOSGeometry* all = GEOSGeom_createCollection_r(geos.handle, GEOS_GEOMETRYCOLLECTION, polygons.data(),
-                                                    static_cast<unsigned>(polygons.size()));
+    GEOSGeometry* all = geos.collection_of(GEOS_GEOMETRYCOLLECTION, std::move(polygons));
     GEOSGeometry* both = GEOSUnaryUnion_r(geos.handle, all);
     ASSERT_NE(both, nullptr);
     double length = 0;

@@ -16,7 +16,10 @@ namespace {
 std::string what_is_wrong(const DirtySet& set) {
   const LineSet raw = DirtyLines(set).draw();
   const double snap = std::pow(10, set.scale - set.snap);
-  const CleanOptions options{.snap = snap, .min_edge = set.min_edge * snap, .tolerance = snap};
+  const CleanOptions options{.snap = snap,
+                             .min_edge = set.min_edge * snap,
+                             .tolerance = snap,
+                             .closed_wedge = set.seed % 2 == 0 ? 0.0 : 10.0};
   CleanedLines result;
   try {
     result = clean_lines(raw, box_outline(raw, snap), options);

@@ -157,6 +157,43 @@ TEST(Cleaning, KeepsASharpWedgeOfTwoLines) {
   EXPECT_NEAR(result.counts.smallest_angle, 0.05, 1e-6);
 }
 
+TEST(Cleaning, ClosesASharpWedgeWithinTheSnappingDistanceWhereThatIsAskedFor) {
+  CleanOptions options = kOptions;
+  options.closed_wedge = 10;
+  for (const double degrees : {0.05, 0.5, 3.0, 9.0}) {
+    const double slope = std::tan(degrees * std::numbers::pi / 180);
+    const LineSet raw = lines_of({{{0, 0}, {100, 0}}, {{0, 0}, {100, 100 * slope}}});
+    const CleanedLines result = clean_lines(raw, wide_box(raw), options);
+    EXPECT_EQ(result.counts.closed_wedges, 1U) << degrees;
+    EXPECT_GT(result.counts.smallest_angle, 15) << degrees;
+    EXPECT_LT(result.counts.largest_move, 1.01 * options.snap) << degrees;
+    EXPECT_EQ(result.ledger[line(0)].fate, LineFate::kJoined) << degrees;
+    require_noded(result.lines, options.snap);
+  }
+}
+
+TEST(Cleaning, ClosesTheWedgesOfAFanOneAfterTheOther) {
+  CleanOptions options = kOptions;
+  options.closed_wedge = 10;
+  std::vector<Points> lines;
+  for (int i = 0; i < 20; ++i) lines.push_back({{0, 0}, {100, 0.5 * i}});
+  const LineSet raw = lines_of(lines);
+  const CleanedLines result = clean_lines(raw, wide_box(raw), options);
+  EXPECT_GT(result.counts.closed_wedges, 10U);
+  // Raw ones are of 0.3 degrees. Those stay narrow whose pieces are too short for the nodes.
+  EXPECT_GT(result.counts.smallest_angle, 4);
+  EXPECT_LT(result.counts.largest_move, budget(options));
+}
+
+TEST(Cleaning, RefusesToCloseWedgesOfWideAngles) {
+  CleanOptions options = kOptions;
+  for (const double angle : {-1.0, 31.0, std::nan("")}) {
+    options.closed_wedge = angle;
+    const LineSet raw = lines_of({{{0, 0}, {1, 0}}});
+    EXPECT_THROW((void)clean_lines(raw, wide_box(raw), options), Error) << angle;
+  }
+}
+
 TEST(Cleaning, DoesNotDrawALineAlongWithOneThatSlowlyLeavesIt) {
   // Each bend through a vertex of the arc would bring the straight line within reach of the next.
   Points arc;
