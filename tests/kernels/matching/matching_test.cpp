@@ -14,7 +14,6 @@
 #include "engine/parallel/parallel.hpp"
 #include "kernels/matching/merge_join.hpp"
 #include "kernels/matching/quad_shape.hpp"
-#include "kernels/matching/quad_shape.hpp"
 #include "kernels/matching/spanning_forest.hpp"
 #include "kernels/matching/whole_outline.hpp"
 #include "tests/kernels/matching/triangle_meshes.hpp"
