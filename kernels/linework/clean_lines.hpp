@@ -8,6 +8,7 @@
 // raw line that it stands for, so that errors are measured against the raw line and never add up unseen.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -44,6 +45,9 @@ enum class LineFate : std::uint8_t {
   kKept,     // none of these
 };
 [[nodiscard]] const char* name_of(LineFate fate);
+
+// Of more lines than this on one piece or at one node, those of smallest number are told.
+inline constexpr std::size_t kMostToldAtOnePlace = 100;
 
 struct LedgerEntry {
   LineFate fate = LineFate::kKept;

@@ -19,9 +19,11 @@ void sort_unique(std::vector<LineId>& lines) {
   lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
 }
 
-// Adds the lines other than `line` among those at a place.
+// Adds the lines other than `line` among those at a place, or the first of them where they are very many:
+// with all of them, lines that lie on one course or meet in one node would take memory by their square.
 void add_others(std::span<const LineId> there, LineId line, std::vector<LineId>& result) {
-  std::copy_if(there.begin(), there.end(), std::back_inserter(result), [&](LineId id) { return id != line; });
+  const std::span<const LineId> told = there.first(std::min(there.size(), kMostToldAtOnePlace));
+  std::copy_if(told.begin(), told.end(), std::back_inserter(result), [&](LineId id) { return id != line; });
 }
 
 struct Meetings {

@@ -16,13 +16,18 @@ inline std::vector<std::uint8_t> lonely_points(std::span<const Vec2> points, dou
   const std::span<const std::uint32_t> order = grid.by_cells();
   std::vector<std::uint8_t> lonely(points.size(), 0);
   constexpr std::size_t kPointsPerChunk = 1024;
+  const auto near_each_other = [&](Vec2 a, Vec2 b) { return squared_length(a - b) < apart * apart; };
   parallel::for_each(
       order.size(),
       [&](std::size_t k) {
         const Vec2 p = points[order[k]];
+        // Where very many points share a place, all would look at all.
+        if ((k > 0 && near_each_other(points[order[k - 1]], p)) ||
+            (k + 1 < order.size() && near_each_other(points[order[k + 1]], p)))
+          return;
         std::size_t near = 0;
         grid.visit_near(Box2{p, p}.grown(apart), [&](std::uint32_t other) {
-          if (squared_length(points[other] - p) < apart * apart) ++near;
+          if (near_each_other(points[other], p)) ++near;
         });
         lonely[order[k]] = near == 1 ? 1 : 0;  // itself
       },

@@ -63,6 +63,18 @@ TEST(Cleaning, SharesTheOverlapOfCollinearLines) {
   EXPECT_EQ(result.ledger[line(0)].fate, LineFate::kJoined);
 }
 
+TEST(Cleaning, TellsOfManyLinesOnOneCourseOnlyTheFirst) {
+  const LineSet set = lines_of(std::vector(3 * kMostToldAtOnePlace, Points{{0, 0}, {3, 1}, {8, 0}}));
+  const CleanedLines result = cleaned(set);
+  for (const PieceId p : IdRange<PieceId>(result.lines.pieces.size()))
+    EXPECT_TRUE(result.lines.numbers(p).empty() || result.lines.numbers(p).size() == set.lines.size());
+  for (const LineId id : IdRange<LineId>(set.lines.size())) {
+    EXPECT_EQ(result.ledger[id].fate, LineFate::kJoined);
+    EXPECT_LE(result.ledger[id].with.size(), kMostToldAtOnePlace);
+    EXPECT_GE(result.ledger[id].with.size(), kMostToldAtOnePlace - 1);
+  }
+}
+
 TEST(Cleaning, MergesDuplicatesWithBothNumbers) {
   const CleanedLines result = cleaned(lines_of({{{0, 0}, {3, 1}, {6, 0}}, {{6, 0}, {3, 1}, {0, 0}}}));
   EXPECT_EQ(interior_pieces(result.lines), 2U);
