@@ -2,15 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "engine/geometry/segment.hpp"
 #include "engine/mesh/validate.hpp"
 #include "engine/parallel/parallel.hpp"
 #include "kernels/quality/face.hpp"
+#include "tests/kernels/smooth/kept_places.hpp"
 #include "tests/kernels/smooth/quads_with_lines.hpp"
 
 namespace quarry {
@@ -49,25 +48,8 @@ TEST_P(ShapeOf, QuadsImprovesInTheMeanAndFallsBelowTheFloorNowhere) {
 }
 
 TEST_P(ShapeOf, QuadsKeepsTheBitsOfFrozenVerticesAndSlidersOnTheirPieces) {
-  const ConstraintTags tags = ConstraintTags::of(quads_.mesh);
-  const std::vector<double> x = quads_.mesh.xs();
-  const std::vector<double> y = quads_.mesh.ys();
-  optimise_shape(quads_.mesh, quads_.lines, {}, Progress());
-  const double ulp = std::numeric_limits<double>::epsilon() * 6.8e6;
-  std::size_t slid = 0;
-  for (const VertexId v : quads_.mesh.vertices()) {
-    const Vec2 before{x[v.value()], y[v.value()]};
-    if (tags.support[v].is_fixed()) {
-      EXPECT_EQ(quads_.mesh.point(v), before);
-    }
-    if (!tags.support[v].slides()) continue;
-    slid += quads_.mesh.point(v) == before ? 0 : 1;
-    const Piece& piece = quads_.lines.pieces[tags.support[v].piece()];
-    EXPECT_LE(
-        squared_distance(quads_.mesh.point(v), quads_.lines.nodes[piece.from], quads_.lines.nodes[piece.to]),
-        ulp * ulp);
-  }
-  EXPECT_GT(slid, 0U);
+  test::expect_fixed_and_sliders_kept(quads_,
+                                      [this] { optimise_shape(quads_.mesh, quads_.lines, {}, Progress()); });
 }
 
 TEST_P(ShapeOf, TrianglesImprovesInTheMean) {

@@ -1,9 +1,7 @@
 #include <algorithm>
-#include <limits>
 
 #include <gtest/gtest.h>
 
-#include "engine/geometry/segment.hpp"
 #include "engine/mesh/validate.hpp"
 #include "engine/parallel/parallel.hpp"
 #include "kernels/quality/face.hpp"
@@ -11,6 +9,7 @@
 #include "kernels/smooth/optimise.hpp"
 #include "kernels/smooth/square_corners.hpp"
 #include "kernels/smooth/star.hpp"
+#include "tests/kernels/smooth/kept_places.hpp"
 #include "tests/kernels/smooth/mean_quality.hpp"
 #include "tests/kernels/smooth/quads_with_lines.hpp"
 
@@ -54,25 +53,7 @@ TEST_P(SmoothingOf, QuadsImprovesTheMeanAndNeverTheWorstFaceForTheWorse) {
 }
 
 TEST_P(SmoothingOf, QuadsKeepsTheBitsOfFrozenVerticesAndSlidersOnTheirPieces) {
-  const ConstraintTags tags = ConstraintTags::of(quads_.mesh);
-  const std::vector<double> x = quads_.mesh.xs();
-  const std::vector<double> y = quads_.mesh.ys();
-  smooth();
-  const double ulp = std::numeric_limits<double>::epsilon() * 6.8e6;
-  std::size_t slid = 0;
-  for (const VertexId v : quads_.mesh.vertices()) {
-    const Vec2 before{x[v.value()], y[v.value()]};
-    if (tags.support[v].is_fixed()) {
-      EXPECT_EQ(quads_.mesh.point(v), before);
-    }
-    if (!tags.support[v].slides()) continue;
-    slid += quads_.mesh.point(v) == before ? 0 : 1;
-    const Piece& piece = quads_.lines.pieces[tags.support[v].piece()];
-    EXPECT_LE(
-        squared_distance(quads_.mesh.point(v), quads_.lines.nodes[piece.from], quads_.lines.nodes[piece.to]),
-        ulp * ulp);
-  }
-  EXPECT_GT(slid, 0U);
+  test::expect_fixed_and_sliders_kept(quads_, [this] { smooth(); });
 }
 
 TEST_P(SmoothingOf, TrianglesImprovesTheMeanAndNeverTheWorstFaceForTheWorse) {

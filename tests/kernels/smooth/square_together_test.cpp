@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "engine/geometry/segment.hpp"
 #include "engine/mesh/compact.hpp"
 #include "engine/mesh/validate.hpp"
 #include "engine/parallel/parallel.hpp"
@@ -16,6 +14,7 @@
 #include "kernels/smooth/square_corners.hpp"
 #include "kernels/smooth/star.hpp"
 #include "kernels/smooth/wanted_areas.hpp"
+#include "tests/kernels/smooth/kept_places.hpp"
 #include "tests/kernels/smooth/mean_quality.hpp"
 #include "tests/kernels/smooth/quads_with_lines.hpp"
 
@@ -60,23 +59,7 @@ TEST_P(SquareTogetherOn, RandomQuadsLowersNoFaceThatIsBelowTheFloorNorAnyOtherBe
 
 TEST_P(SquareTogetherOn, RandomQuadsKeepsTheBitsOfFixedVerticesAndSlidersOnTheirPieces) {
   QuadsWithLines quads = make_quads({.seed = GetParam()});
-  const ConstraintTags tags = ConstraintTags::of(quads.mesh);
-  std::vector<Vec2> before;
-  for (const VertexId v : quads.mesh.vertices()) before.push_back(quads.mesh.point(v));
-  run_together(quads, {}, 2);
-  const double ulp = std::numeric_limits<double>::epsilon() * 6.8e6;
-  std::size_t slid = 0;
-  for (const VertexId v : quads.mesh.vertices()) {
-    const Vec2 now = quads.mesh.point(v);
-    if (tags.support[v].is_fixed()) {
-      EXPECT_EQ(now, before[v.value()]);
-    }
-    if (!tags.support[v].slides()) continue;
-    slid += now == before[v.value()] ? 0 : 1;
-    const Piece& piece = quads.lines.pieces[tags.support[v].piece()];
-    EXPECT_LE(squared_distance(now, quads.lines.nodes[piece.from], quads.lines.nodes[piece.to]), ulp * ulp);
-  }
-  EXPECT_GT(slid, 0U);
+  test::expect_fixed_and_sliders_kept(quads, [&] { run_together(quads, {}, 2); });
 }
 
 TEST_P(SquareTogetherOn, RandomQuadsLiftsTheMean) {
