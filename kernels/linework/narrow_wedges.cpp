@@ -6,8 +6,8 @@
 #include <tuple>
 #include <utility>
 
+#include "engine/geometry/ends_around.hpp"
 #include "engine/geometry/segment.hpp"
-#include "engine/parallel/parallel.hpp"
 #include "kernels/linework/gather.hpp"
 
 namespace quarry::linework {
@@ -26,20 +26,6 @@ struct Wedge {
 struct Ray {
   double direction;
   std::uint32_t edge;
-};
-
-// The edges at each node, in compressed rows.
-struct EdgesAt {
-  explicit EdgesAt(const PathNetwork& network) : begin(network.nodes.size() + 1, 0) {
-    std::copy(network.degree.begin(), network.degree.end(), begin.begin());
-    (void)parallel::exclusive_scan(std::span(begin));
-    edges.resize(begin.back());
-    std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1);
-    for (std::uint32_t e = 0; e < network.edges.size(); ++e)
-      for (const NodeId node : {network.edges[e].from, network.edges[e].to}) edges[next[node.value()]++] = e;
-  }
-  std::vector<std::uint32_t> begin;
-  std::vector<std::uint32_t> edges;
 };
 
 void append_wedges(const PathNetwork& network, NodeId apex, std::span<const std::uint32_t> edges,
@@ -65,15 +51,14 @@ void append_wedges(const PathNetwork& network, NodeId apex, std::span<const std:
 
 // By apex, then around it.
 std::vector<Wedge> narrow_wedges(const PathNetwork& network, double limit) {
-  const EdgesAt around(network);
-  return gather<Wedge>(
-      network.nodes.size(), [&](std::size_t begin, std::size_t end, std::vector<Wedge>& found) {
-        for (std::size_t n = begin; n < end; ++n) {
-          const auto edges =
-              std::span(around.edges).subspan(around.begin[n], around.begin[n + 1] - around.begin[n]);
-          if (edges.size() > 1) append_wedges(network, NodeId(n), edges, limit, found);
-        }
-      });
+  const EndsAround<std::uint32_t> around(network.nodes.size(), network.edges);
+  return gather<Wedge>(network.nodes.size(),
+                       [&](std::size_t begin, std::size_t end, std::vector<Wedge>& found) {
+                         for (std::size_t n = begin; n < end; ++n) {
+                           const std::span<const std::uint32_t> edges = around.at(NodeId(n));
+                           if (edges.size() > 1) append_wedges(network, NodeId(n), edges, limit, found);
+                         }
+                       });
 }
 
 // A place on an edge, so far from the apex.
