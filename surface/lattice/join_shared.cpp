@@ -27,15 +27,9 @@ class JoinShared {
   bool propose(const Mesh& mesh, Item edge, Cavity& cavity, Plan& plan) const {
     const SideId s = state_.base.side_of(edge);
     if (!s.valid() || !wanted(s)) return false;
-    // Of both ways that which leaves the better star.
-    double best = -1;
-    for (const Plan way : {Plan{edge.a, edge.b}, Plan{edge.b, edge.a}}) {
-      const double worst = guard_.worst_after(s, way);
-      if (worst <= best) continue;
-      best = worst;
-      plan = way;
-    }
-    if (best < 0) return false;
+    const auto way = guard_.better_way(s, edge, [](Collapse) { return true; });
+    if (!way) return false;
+    plan = *way;
     claim_collapse(mesh, plan.gone, plan.kept, cavity);
     return true;
   }

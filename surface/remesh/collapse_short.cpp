@@ -29,16 +29,9 @@ class CollapseShort {
   bool propose(const Mesh& mesh, Item edge, Cavity& cavity, Plan& plan) const {
     const SideId s = state_.side_of(edge);
     if (!s.valid() || !wanted(s)) return false;
-    // Of both ways that which leaves the better star.
-    double best = -1;
-    for (const Plan way : {Plan{edge.a, edge.b}, Plan{edge.b, edge.a}}) {
-      if (makes_long_edge(way)) continue;
-      const double worst = guard_.worst_after(s, way);
-      if (worst <= best) continue;
-      best = worst;
-      plan = way;
-    }
-    if (best < 0) return false;
+    const auto way = guard_.better_way(s, edge, [&](Collapse tried) { return !makes_long_edge(tried); });
+    if (!way) return false;
+    plan = *way;
     claim_collapse(mesh, plan.gone, plan.kept, cavity);
     return true;
   }
