@@ -2,30 +2,35 @@
 // single vertices and for steps of many at once.
 #pragma once
 
-#include "engine/geometry/vec.hpp"
-
 namespace quarry {
 
 // What is squared and summed up, and its derivative: by the angle of a corner, or by the area of a face.
-struct Residual {
-  double value;
-  double slope;
+template <class Real>
+struct ResidualOf {
+  Real value;
+  Real slope;
 };
+using Residual = ResidualOf<double>;
 
 // The wanted angle of a corner of a quad is 90 degrees, of a triangle 60.
-struct WantedAngle {
-  double cosine, sine;
+template <class Real>
+struct WantedAngleOf {
+  Real cosine, sine;
 };
-inline constexpr WantedAngle kRight{0, 1};
-inline constexpr WantedAngle kSixty{0.5, 0.86602540378443865};
+template <class Real>
+[[nodiscard]] constexpr WantedAngleOf<Real> wanted_angle(bool quad) {
+  return quad ? WantedAngleOf<Real>{0, 1}
+              : WantedAngleOf<Real>{static_cast<Real>(0.5), static_cast<Real>(0.86602540378443865)};
+}
 
-// tan((wanted - angle) / 2) of a corner, and its derivative by the angle as far as Gauss-Newton needs it. The
-// angle runs from `out` to `back`, the edges that leave the corner; lengths: the product of their lengths.
-inline Residual angle_residual(Vec2 out, Vec2 back, double lengths, WantedAngle wanted) {
-  const double cosine = dot(out, back);
-  const double sine = cross(out, back);
-  const double below = 1.0 / (lengths + wanted.cosine * cosine + wanted.sine * sine);
-  return {(wanted.sine * cosine - wanted.cosine * sine) * below, -lengths * below};
+// tan((wanted - angle) / 2) of a corner, and its derivative by the angle as far as Gauss-Newton needs it.
+// dot, cross: of the edges that leave the corner, the first and, counter-clockwise, the second; lengths: the
+// product of their lengths.
+template <class Real>
+[[nodiscard]] constexpr ResidualOf<Real> angle_residual(Real dot, Real cross, Real lengths,
+                                                        WantedAngleOf<Real> wanted) {
+  const Real below = 1 / (lengths + wanted.cosine * dot + wanted.sine * cross);
+  return {(wanted.sine * dot - wanted.cosine * cross) * below, -lengths * below};
 }
 
 // What is asked of the area of a face, see corner_area in wanted_areas.hpp.

@@ -19,13 +19,15 @@ struct FaceResiduals {
   Residual here, next, previous;
 
   FaceResiduals(const StarFace& face, Vec2 out, Vec2 back) {
-    const WantedAngle wanted = face.quad ? kRight : kSixty;
+    const auto wanted = wanted_angle<double>(face.quad);
     const double oo = squared_length(out);
     const double bb = squared_length(back);
-    here = angle_residual(out, back, std::sqrt(oo * bb), wanted);
-    next = angle_residual(face.far_next, -1.0 * out, std::sqrt(oo * face.far_next_squared), wanted);
-    previous = angle_residual(-1.0 * back, -1.0 * face.far_previous,
-                              std::sqrt(bb * face.far_previous_squared), wanted);
+    const auto residual = [&](Vec2 first, Vec2 second, double squares) {
+      return angle_residual(dot(first, second), cross(first, second), std::sqrt(squares), wanted);
+    };
+    here = residual(out, back, oo * bb);
+    next = residual(face.far_next, -1.0 * out, oo * face.far_next_squared);
+    previous = residual(-1.0 * back, -1.0 * face.far_previous, bb * face.far_previous_squared);
   }
   [[nodiscard]] double sum_of_squares() const {
     return here.value * here.value + next.value * next.value + previous.value * previous.value;

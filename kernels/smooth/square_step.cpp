@@ -13,32 +13,73 @@ constexpr double kReduction = 0.02;
 // The share by which the diagonal is raised (Levenberg): how much less is done where the system is soft.
 constexpr float kDamping = 0.003F;
 
-// What a face adds to the system: the derivatives of its residuals by the places of its corners, and from
-// them the products. The residuals are those of its corners and its area.
+// What a face adds to the system, in units of `unit`: the derivatives of its residuals by the places of its
+// corners, and from them the products. The residuals are those of its corners, and of its area.
 template <int kCorners>
-struct FaceTerms {
+class FaceTerms {
+ public:
   static constexpr int kLanes = 2 * kCorners;
-  float jacobian[kCorners + 1][kLanes] = {};
-  float residuals[kCorners + 1] = {};
   float matrix[kLanes][kLanes] = {};
   float gradient[kLanes] = {};
 
-  static constexpr int next(int k) { return k + 1 < kCorners ? k + 1 : 0; }
-  static constexpr int previous(int k) { return k > 0 ? k - 1 : kCorners - 1; }
-
-  void set(int row, int corner, float x, float y) {
-    jacobian[row][2 * corner] = x;
-    jacobian[row][2 * corner + 1] = y;
+  FaceTerms(const Vec2 (&places)[kCorners], double unit) : places_(places), per_unit_(1 / unit) {
+    for (int k = 0; k < kCorners; ++k) {
+      const Vec2 edge = per_unit_ * (places[next(k)] - places[k]);
+      x_[k] = static_cast<float>(edge.x);
+      y_[k] = static_cast<float>(edge.y);
+    }
+    for (int k = 0; k < kCorners; ++k) squared_[k] = x_[k] * x_[k] + y_[k] * y_[k];
   }
+
+  void add_corners() {
+    float lengths[kCorners], inverse[kCorners];
+    for (int k = 0; k < kCorners; ++k) lengths[k] = std::sqrt(squared_[k]);
+    for (int k = 0; k < kCorners; ++k) inverse[k] = 1 / squared_[k];
+    for (int k = 0; k < kCorners; ++k) {
+      const int before = previous(k);
+      // Of this edge, and the one before reversed.
+      const float dot = -(x_[k] * x_[before] + y_[k] * y_[before]);
+      const float cross = -(x_[k] * y_[before] - y_[k] * x_[before]);
+      const auto [value, slope] =
+          angle_residual(dot, cross, lengths[k] * lengths[before], wanted_angle<float>(kQuad));
+      residuals_[k] = value;
+      // The angle grows as the next corner turns right around this one, and as the one before turns left.
+      const float out = slope * inverse[k];
+      const float back = slope * inverse[before];
+      const float next_x = out * y_[k], next_y = -out * x_[k];
+      const float before_x = back * y_[before], before_y = -back * x_[before];
+      set(k, next(k), next_x, next_y);
+      set(k, before, before_x, before_y);
+      set(k, k, -next_x - before_x, -next_y - before_y);
+    }
+  }
+
+  void add_area(AreaDemand demand) {
+    const Vec2 first = per_unit_ * (places_[kQuad ? 2 : 1] - places_[0]);
+    const Vec2 second = per_unit_ * (places_[kQuad ? 3 : 2] - places_[kQuad ? 1 : 0]);
+    const double share = kQuad ? 0.5 : 1.0;
+    const Residual residual =
+        area_residual(share * cross(first, second), {demand.wanted * per_unit_ * per_unit_, demand.weight});
+    residuals_[kCorners] = static_cast<float>(residual.value);
+    const auto slope = static_cast<float>(share * residual.slope);
+    for (int k = 0; k < kCorners; ++k) {
+      // The area grows as a corner moves to the left of the line between its neighbours, from the next on.
+      const Vec2 across = per_unit_ * (places_[previous(k)] - places_[next(k)]);
+      set(kCorners, k, -slope * static_cast<float>(across.y), slope * static_cast<float>(across.x));
+    }
+  }
+
   void multiply() {
     for (int r = 0; r <= kCorners; ++r)
       for (int i = 0; i < kLanes; ++i) {
-        gradient[i] += jacobian[r][i] * residuals[r];
-        for (int j = 0; j < kLanes; ++j) matrix[i][j] += jacobian[r][i] * jacobian[r][j];
+        gradient[i] += jacobian_[r][i] * residuals_[r];
+        for (int j = 0; j < kLanes; ++j) matrix[i][j] += jacobian_[r][i] * jacobian_[r][j];
       }
   }
-  // |a - b|^2 * weight of the ends of each edge; edges: from each corner to the next.
-  void add_springs(float weight, const float (&x)[kCorners], const float (&y)[kCorners]) {
+
+  // The weighted squared length of each edge, halved, since faces share edges; by the shortest of them.
+  void add_springs(float spring) {
+    const float weight = 0.125F * spring * spring / *std::min_element(squared_, squared_ + kCorners);
     for (int k = 0; k < kCorners; ++k) {
       const int a = 2 * k;
       const int b = 2 * next(k);
@@ -47,12 +88,28 @@ struct FaceTerms {
         matrix[b + d][b + d] += weight;
         matrix[a + d][b + d] -= weight;
         matrix[b + d][a + d] -= weight;
-        const float pull = weight * (d == 0 ? x[k] : y[k]);
+        const float pull = weight * (d == 0 ? x_[k] : y_[k]);
         gradient[a + d] -= pull;
         gradient[b + d] += pull;
       }
     }
   }
+
+ private:
+  static constexpr bool kQuad = kCorners == 4;
+  static constexpr int next(int k) { return k + 1 < kCorners ? k + 1 : 0; }
+  static constexpr int previous(int k) { return k > 0 ? k - 1 : kCorners - 1; }
+
+  void set(int row, int corner, float x, float y) {
+    jacobian_[row][2 * corner] = x;
+    jacobian_[row][2 * corner + 1] = y;
+  }
+
+  const Vec2 (&places_)[kCorners];
+  double per_unit_;
+  float x_[kCorners], y_[kCorners], squared_[kCorners];  // edges, from each corner to the next
+  float jacobian_[kCorners + 1][kLanes] = {};
+  float residuals_[kCorners + 1] = {};
 };
 
 }  // namespace
@@ -103,11 +160,6 @@ SquareStep::Block& SquareStep::block(std::uint32_t row, std::uint32_t column) {
 
 template <int kCorners>
 void SquareStep::add_face(FaceId f) {
-  using Terms = FaceTerms<kCorners>;
-  constexpr bool kQuad = kCorners == 4;
-  constexpr auto kCosine = static_cast<float>(kQuad ? kRight.cosine : kSixty.cosine);
-  constexpr auto kSine = static_cast<float>(kQuad ? kRight.sine : kSixty.sine);
-  Terms terms;
   std::uint32_t numbers[kCorners];
   Vec2 places[kCorners];
   for (int k = 0; k < kCorners; ++k) {
@@ -115,54 +167,11 @@ void SquareStep::add_face(FaceId f) {
     numbers[k] = unknown_of(v);
     places[k] = mesh_->point(v);
   }
-  const double per_unit = 1 / unit_;
-  float x[kCorners], y[kCorners], squared[kCorners], lengths[kCorners], inverse[kCorners];
-  for (int k = 0; k < kCorners; ++k) {
-    const Vec2 edge = per_unit * (places[Terms::next(k)] - places[k]);
-    x[k] = static_cast<float>(edge.x);
-    y[k] = static_cast<float>(edge.y);
-  }
-  for (int k = 0; k < kCorners; ++k) squared[k] = x[k] * x[k] + y[k] * y[k];
-  for (int k = 0; k < kCorners; ++k) lengths[k] = std::sqrt(squared[k]);
-  for (int k = 0; k < kCorners; ++k) inverse[k] = 1 / squared[k];
-  for (int k = 0; k < kCorners; ++k) {
-    const int before = Terms::previous(k);
-    // As angle_residual, out = edge k, back = the edge before, reversed.
-    const float cosine = -(x[k] * x[before] + y[k] * y[before]);
-    const float sine = -(x[k] * y[before] - y[k] * x[before]);
-    const float product = lengths[k] * lengths[before];
-    const float below = 1 / (product + kCosine * cosine + kSine * sine);
-    const float slope = -product * below;
-    terms.residuals[k] = (kSine * cosine - kCosine * sine) * below;
-    // The angle grows as `next` turns right around the corner and `before` turns left.
-    const float out = slope * inverse[k];
-    const float back = slope * inverse[before];
-    const float next_x = out * y[k], next_y = -out * x[k];
-    const float before_x = back * y[before], before_y = -back * x[before];
-    terms.set(k, Terms::next(k), next_x, next_y);
-    terms.set(k, before, before_x, before_y);
-    terms.set(k, k, -next_x - before_x, -next_y - before_y);
-  }
-  if (!demands_->empty()) {
-    // Twice the derivative of the area of a quad by a corner is the diagonal before it, turned left; of a
-    // triangle's corner area it is the far edge.
-    const Vec2 first = per_unit * (places[2] - places[0]);
-    const Vec2 second = per_unit * (places[kQuad ? 3 : 1] - places[kQuad ? 1 : 0]);
-    const double area = kQuad ? 0.5 * cross(first, second) : cross(second, first);
-    const AreaDemand demand = (*demands_)[f];
-    const Residual residual = area_residual(area, {demand.wanted * per_unit * per_unit, demand.weight});
-    terms.residuals[kCorners] = static_cast<float>(residual.value);
-    const auto slope = static_cast<float>((kQuad ? 0.5 : 1.0) * residual.slope);
-    for (int k = 0; k < kCorners; ++k) {
-      // places[previous] - places[next]
-      const Vec2 across = per_unit * (places[Terms::previous(k)] - places[Terms::next(k)]);
-      terms.set(kCorners, k, -slope * static_cast<float>(across.y), slope * static_cast<float>(across.x));
-    }
-  }
+  FaceTerms<kCorners> terms(places, unit_);
+  terms.add_corners();
+  if (!demands_->empty()) terms.add_area((*demands_)[f]);
   terms.multiply();
-  const float shortest = *std::min_element(squared, squared + kCorners);
-  terms.add_springs(0.125F * spring_ * spring_ / shortest, x, y);
-
+  terms.add_springs(spring_);
   for (int i = 0; i < kCorners; ++i) {
     const std::uint32_t row = numbers[i];
     if (row == kFrozen) continue;

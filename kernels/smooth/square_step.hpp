@@ -48,7 +48,6 @@ class SquareStep {
     std::array<float, 3> inverse;  // xx, xy, yy of the inverse of the diagonal block
     Pair step, residual, preconditioned;
   };
-  struct FacePlace;
 
   void choose_unknowns(VertexId begin, VertexId end, const std::vector<std::uint8_t>& active);
   void lay_out_rows();

@@ -121,8 +121,8 @@ void SquareTogether::mark_corners_unless_kept(FaceId f) {
 std::vector<std::uint32_t> SquareTogether::step_back() {
   std::vector<std::uint32_t> changed = parallel::filter_indices(
       marked_.size(), [&](std::size_t i) { return marked_[i] != 0 && halvings_[i] != kStays; });
-  std::fill(marked_.begin(), marked_.end(), 0);
   parallel::for_each(changed.size(), [&](std::size_t i) {
+    marked_[changed[i]] = 0;
     ++halvings_[changed[i]];
     place(VertexId(changed[i]));
   });

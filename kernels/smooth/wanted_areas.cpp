@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "engine/parallel/parallel.hpp"
 #include "kernels/quality/element.hpp"
@@ -17,8 +18,9 @@ IdVector<FaceId, double> mean_areas(const Mesh& mesh) {
   parallel::for_each(mesh.face_slots(), [&](std::size_t i) {
     if (mesh.alive(FaceId(i))) areas[FaceId(i)] = std::abs(corner_area(mesh, FaceId(i)));
   });
+  IdVector<FaceId, double> before(mesh.face_slots(), 0.0);
   for (int round = 0; round < kRounds; ++round) {
-    const IdVector<FaceId, double> before = areas;
+    std::swap(before, areas);
     parallel::for_each(mesh.face_slots(), [&](std::size_t i) {
       const FaceId f(i);
       if (!mesh.alive(f)) return;
