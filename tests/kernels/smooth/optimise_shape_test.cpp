@@ -7,10 +7,10 @@
 #include <gtest/gtest.h>
 
 #include "engine/mesh/validate.hpp"
-#include "engine/parallel/parallel.hpp"
 #include "kernels/quality/face.hpp"
 #include "tests/kernels/smooth/kept_places.hpp"
 #include "tests/kernels/smooth/quads_with_lines.hpp"
+#include "tests/kernels/smooth/same_bits.hpp"
 
 namespace quarry {
 namespace {
@@ -63,24 +63,11 @@ TEST_P(ShapeOf, TrianglesImprovesInTheMean) {
 INSTANTIATE_TEST_SUITE_P(Seeds, ShapeOf, testing::Range<std::uint64_t>(1, 13));
 
 TEST(OptimiseShape, GivesTheSameBitsOnAnyNumberOfThreads) {
-  std::vector<double> x, y;
-  for (const int threads : {1, 2, 4, 7}) {
-    parallel::with_threads(threads, [&] {
-      QuadsWithLines quads = make_quads({.columns = 60, .rows = 40, .seed = 3});
-      const parallel::ParticipationProbe probe;
-      const UniformSize size(1);
-      optimise_shape(quads.mesh, quads.lines, {.size = &size}, Progress());
-      optimise_shape(quads.mesh, quads.lines, {}, Progress());
-      if (threads == 1) {
-        x = quads.mesh.xs();
-        y = quads.mesh.ys();
-        return;
-      }
-      EXPECT_GT(probe.chunks_of_other_threads(), 0U);
-      EXPECT_EQ(quads.mesh.xs(), x);
-      EXPECT_EQ(quads.mesh.ys(), y);
-    });
-  }
+  test::expect_same_bits_on_threads([](QuadsWithLines& quads) {
+    const UniformSize size(1);
+    optimise_shape(quads.mesh, quads.lines, {.size = &size}, Progress());
+    optimise_shape(quads.mesh, quads.lines, {}, Progress());
+  });
 }
 
 TEST(OptimiseShape, LooksOnceAtARegularMesh) {

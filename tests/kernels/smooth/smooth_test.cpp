@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "engine/mesh/validate.hpp"
-#include "engine/parallel/parallel.hpp"
 #include "kernels/quality/face.hpp"
 #include "kernels/smooth/laplacian.hpp"
 #include "kernels/smooth/optimise.hpp"
@@ -12,6 +11,7 @@
 #include "tests/kernels/smooth/kept_places.hpp"
 #include "tests/kernels/smooth/mean_quality.hpp"
 #include "tests/kernels/smooth/quads_with_lines.hpp"
+#include "tests/kernels/smooth/same_bits.hpp"
 
 namespace quarry {
 namespace {
@@ -69,24 +69,11 @@ TEST_P(SmoothingOf, TrianglesImprovesTheMeanAndNeverTheWorstFaceForTheWorse) {
 INSTANTIATE_TEST_SUITE_P(Seeds, SmoothingOf, testing::Range<std::uint64_t>(1, 13));
 
 TEST(Smoothing, GivesTheSameBitsOnAnyNumberOfThreads) {
-  std::vector<double> x, y;
-  for (const int threads : {1, 2, 4, 7}) {
-    parallel::with_threads(threads, [&] {
-      QuadsWithLines quads = make_quads({.columns = 60, .rows = 40, .seed = 3});
-      const parallel::ParticipationProbe probe;
-      smooth_laplacian(quads.mesh, quads.lines, {}, Progress());
-      square_corners(quads.mesh, quads.lines, {}, Progress());
-      optimise_corners(quads.mesh, quads.lines, {}, Progress());
-      if (threads == 1) {
-        x = quads.mesh.xs();
-        y = quads.mesh.ys();
-        return;
-      }
-      EXPECT_GT(probe.chunks_of_other_threads(), 0U);
-      EXPECT_EQ(quads.mesh.xs(), x);
-      EXPECT_EQ(quads.mesh.ys(), y);
-    });
-  }
+  test::expect_same_bits_on_threads([](QuadsWithLines& quads) {
+    smooth_laplacian(quads.mesh, quads.lines, {}, Progress());
+    square_corners(quads.mesh, quads.lines, {}, Progress());
+    optimise_corners(quads.mesh, quads.lines, {}, Progress());
+  });
 }
 
 TEST(Smoothing, LooksOnceAtARegularMesh) {

@@ -9,7 +9,6 @@
 
 #include "engine/mesh/compact.hpp"
 #include "engine/mesh/validate.hpp"
-#include "engine/parallel/parallel.hpp"
 #include "kernels/quality/face.hpp"
 #include "kernels/smooth/square_corners.hpp"
 #include "kernels/smooth/star.hpp"
@@ -17,6 +16,7 @@
 #include "tests/kernels/smooth/kept_places.hpp"
 #include "tests/kernels/smooth/mean_quality.hpp"
 #include "tests/kernels/smooth/quads_with_lines.hpp"
+#include "tests/kernels/smooth/same_bits.hpp"
 
 namespace quarry {
 namespace {
@@ -118,22 +118,7 @@ TEST(SquareTogether, LeavesARegularMeshAsItIs) {
 }
 
 TEST(SquareTogether, GivesTheSameBitsOnAnyNumberOfThreads) {
-  std::vector<double> x, y;
-  for (const int threads : {1, 2, 4, 7}) {
-    parallel::with_threads(threads, [&] {
-      QuadsWithLines quads = make_quads({.columns = 60, .rows = 40, .seed = 3});
-      const parallel::ParticipationProbe probe;
-      run_together(quads, {.evenness = 0.3}, 3);
-      if (threads == 1) {
-        x = quads.mesh.xs();
-        y = quads.mesh.ys();
-        return;
-      }
-      EXPECT_GT(probe.chunks_of_other_threads(), 0U);
-      EXPECT_EQ(quads.mesh.xs(), x);
-      EXPECT_EQ(quads.mesh.ys(), y);
-    });
-  }
+  test::expect_same_bits_on_threads([](QuadsWithLines& quads) { run_together(quads, {.evenness = 0.3}, 3); });
 }
 
 TEST(SquareTogether, TurnsTheCornersOfTrianglesTowardsSixtyDegrees) {
