@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/base/id.hpp"
+#include "engine/geometry/line_set.hpp"
 #include "engine/parallel/parallel.hpp"
 
 namespace quarry {

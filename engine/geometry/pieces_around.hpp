@@ -2,7 +2,6 @@
 #pragma once
 
 #include "engine/geometry/ends_around.hpp"
-#include "engine/geometry/line_set.hpp"
 
 namespace quarry {
 
