@@ -14,6 +14,7 @@
 
 #include "bench/geos_noder.hpp"
 #include "bench/synthetic_network.hpp"
+#include "engine/base/heap.hpp"
 #include "engine/base/stopwatch.hpp"
 #include "engine/parallel/parallel.hpp"
 
@@ -119,4 +120,7 @@ void run(int repeats) {
 }  // namespace
 }  // namespace quarry::bench
 
-int main(int count, char** values) { quarry::bench::run(count > 1 ? std::atoi(values[1]) : 3); }
+int main(int count, char** values) {
+  quarry::keep_freed_memory();
+  quarry::bench::run(count > 1 ? std::atoi(values[1]) : 3);
+}

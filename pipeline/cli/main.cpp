@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "engine/base/error.hpp"
+#include "engine/base/heap.hpp"
 #include "engine/base/log.hpp"
 #include "pipeline/cli/commands.hpp"
 #include "pipeline/cli/interrupt.hpp"
@@ -96,6 +97,7 @@ int run(int argc, char** argv) {
 }  // namespace quarry::cli
 
 int main(int argc, char** argv) {
+  quarry::keep_freed_memory();
   quarry::cli::catch_interrupts();
   return quarry::cli::run(argc, argv);
 }
