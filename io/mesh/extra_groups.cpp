@@ -15,7 +15,8 @@ constexpr std::array<std::string_view, 4> kBare = {"left", "right", "bottom", "t
 }  // namespace
 
 std::string extra_group_name(const Grouping& grouping, const std::string& name) {
-  std::string result = grouping.bare ? name : fmt::format("{}_{}", grouping.tag, name);
+  const bool bare = grouping.tag == kZoneTag || grouping.tag == kBoxSideTag;
+  std::string result = bare ? name : fmt::format("{}_{}", grouping.tag, name);
   std::ranges::replace(result, '"', '\'');
   return result;
 }

@@ -52,6 +52,7 @@ std::string word_of(std::string name) {
 
 GroupNumbers region_numbers() { return GroupNumbers(kRegionPrefix); }
 GroupNumbers line_numbers() { return GroupNumbers(kLinePrefix); }
+GroupNumbers point_numbers() { return GroupNumbers(kPointPrefix); }
 
 std::int32_t GroupNumbers::find(std::string_view name, bool named) {
   if (named && name.starts_with(prefix_)) {

@@ -53,8 +53,9 @@ class GroupNumbers {
   std::map<std::string, std::int32_t, std::less<>> stand_ins_;
 };
 
-// For groups of faces, and for groups of edges.
+// For groups of faces, of edges, and of single vertices.
 [[nodiscard]] GroupNumbers region_numbers();
 [[nodiscard]] GroupNumbers line_numbers();
+[[nodiscard]] GroupNumbers point_numbers();
 
 }  // namespace quarry

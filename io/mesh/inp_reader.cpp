@@ -18,6 +18,12 @@
 namespace quarry {
 namespace {
 
+// A set of nodes; numbers of at most two are kept, since only one alone is a point.
+struct NodeSet {
+  std::string name;
+  std::vector<std::int64_t> nodes;
+};
+
 // The same side of all elements of a set, or of one element.
 struct SurfacePart {
   std::string name;
@@ -53,13 +59,14 @@ class InpReader {
     group_faces();
     add_line_elements();
     add_surfaces();
+    add_points();
     regions_.settle(cells_.regions, cells_.names.regions);
     lines_.settle(cells_.constraints, cells_.names.lines);
     return std::move(cells_);
   }
 
  private:
-  enum class Mode { kSkip, kNodes, kElements, kSet, kRanges, kSurface };
+  enum class Mode { kSkip, kNodes, kElements, kSet, kRanges, kNodeSet, kSurface };
 
   [[noreturn]] void fail(const std::string& message) const { cursor_.fail(message); }
 
@@ -80,6 +87,10 @@ class InpReader {
     } else if (keyword.name == "ELSET") {
       sets_.open(keyword.value("ELSET"), keyword.has("INTERNAL"));
       mode_ = keyword.has("GENERATE") ? Mode::kRanges : Mode::kSet;
+    } else if (keyword.name == "NSET") {
+      if (keyword.has("GENERATE") || keyword.has("INTERNAL")) return;
+      node_sets_.push_back({keyword.value("NSET"), {}});
+      mode_ = Mode::kNodeSet;
     } else if (keyword.name == "SURFACE") {
       const std::string type = upper_case(keyword.value("TYPE"));
       surface_ = keyword.value("NAME");
@@ -128,6 +139,8 @@ class InpReader {
         return read_set(line);
       case Mode::kRanges:
         return read_range(line);
+      case Mode::kNodeSet:
+        return read_node_set(line);
       case Mode::kSurface:
         return read_surface(line);
       case Mode::kSkip:
@@ -217,6 +230,20 @@ class InpReader {
       } else {
         sets_.add_set(field);
       }
+    }
+  }
+
+  // Sets within sets have names for numbers: such a set is taken for one of many nodes.
+  void read_node_set(std::string_view line) {
+    std::vector<std::int64_t>& nodes = node_sets_.back().nodes;
+    InpFields fields(line);
+    while (!fields.at_end() && nodes.size() < 2) {
+      const std::string_view field = fields.next();
+      if (field.empty()) continue;
+      if (starts_with_digit(field))
+        nodes.push_back(whole(field, "the number of a node"));
+      else
+        nodes.assign(2, -1);
     }
   }
 
@@ -331,6 +358,19 @@ class InpReader {
     }
   }
 
+  void add_points() {
+    for (const NodeSet& set : node_sets_) {
+      // Of parts and programs that are not read there may be others.
+      const std::uint32_t vertex =
+          set.nodes.size() == 1 ? node_of_.find(set.nodes.front()) : NumberIndex::kNone;
+      if (vertex == NumberIndex::kNone) continue;
+      const std::string lower = lower_case(set.name);
+      cells_.points.emplace_back(vertex);
+      cells_.point_numbers.push_back(points_.number(lower.starts_with("point_") ? lower : set.name));
+    }
+    points_.settle(cells_.point_numbers, cells_.names.points);
+  }
+
   TextCursor cursor_;
   ReadCells cells_;
   Mode mode_ = Mode::kSkip;
@@ -342,10 +382,12 @@ class InpReader {
   std::vector<LineElement> line_elements_;
   std::vector<std::string> sections_;
   std::vector<SurfacePart> surfaces_;
+  std::vector<NodeSet> node_sets_;
   InpSets sets_;
   std::vector<bool> named_by_us_;  // one for each face
   GroupNumbers regions_ = region_numbers();
   GroupNumbers lines_ = line_numbers();
+  GroupNumbers points_ = point_numbers();
 };
 
 }  // namespace

@@ -38,8 +38,12 @@ enum class MeshConsumer { kAny, kOpenGeoSys, kMoose };
 struct Grouping {
   std::string tag;
   std::vector<std::string> names;
-  bool bare = false;  // where groups have names: "top", and not "box_side_top"
 };
+
+// The face tag (int32) with what regions are called, and the edge tag (int32) with the sides of a box: in
+// formats whose groups have names these are called as their names alone are ("top", and not "box_side_top").
+inline constexpr const char* kZoneTag = "zone";
+inline constexpr const char* kBoxSideTag = "box_side";
 
 struct MeshWriteOptions {
   // Where the format has a place for them.

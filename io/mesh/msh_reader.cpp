@@ -74,6 +74,7 @@ class MshReader {
     if (!seen_elements_) cursor_.fail("no $Elements: the file ends too early, or holds geometry alone");
     regions_.settle(cells_.regions, cells_.names.regions);
     lines_.settle(cells_.constraints, cells_.names.lines);
+    points_.settle(cells_.point_numbers, cells_.names.points);
     return std::move(cells_);
   }
 
@@ -189,7 +190,7 @@ class MshReader {
     return VertexId(point);
   }
 
-  // numbers: of its groups, at least one; a face is in the first of them.
+  // numbers: of its groups; a face is in the first of them, and a point needs none.
   void read_cell(int type, std::span<const std::int32_t> numbers) {
     FaceCorners corners;
     const auto [count, nodes] = msh_type(type);
@@ -197,10 +198,13 @@ class MshReader {
       const VertexId node = corner(new_format_ ? size("a node tag") : integer("a node tag"));
       if (k < count) corners[static_cast<std::size_t>(k)] = node;
     }
-    if (count >= 3) {
+    if (count == 1) {
+      cells_.points.insert(cells_.points.end(), numbers.size(), corners[0]);
+      cells_.point_numbers.insert(cells_.point_numbers.end(), numbers.begin(), numbers.end());
+    } else if (count >= 3) {
       cells_.faces.push_back(corners);
       cells_.regions.push_back(numbers.front());
-    } else if (count == 2) {
+    } else {
       for (const std::int32_t number : numbers) {
         cells_.edges.emplace_back(corners[0], corners[1]);
         cells_.constraints.push_back(number);
@@ -223,7 +227,7 @@ class MshReader {
 
   // The region or line number that a group stands for.
   std::int32_t number_of_group(int dimension, std::int64_t tag) {
-    GroupNumbers& numbers = dimension == 1 ? lines_ : regions_;
+    GroupNumbers& numbers = dimension == 0 ? points_ : dimension == 1 ? lines_ : regions_;
     if (const auto name = names_.find({dimension, tag}); name != names_.end())
       return numbers.number(name->second);
     if (tag >= 0 && tag <= std::numeric_limits<std::int32_t>::max()) return static_cast<std::int32_t>(tag);
@@ -243,7 +247,7 @@ class MshReader {
     }
     if (std::any_of(numbers.begin(), numbers.end(), [](std::int32_t n) { return n != -1; }))
       std::erase(numbers, -1);
-    if (numbers.empty())
+    if (numbers.empty() && dimension != 0)
       numbers.push_back(dimension == 2 ? regions_.number_of_nameless(fmt::format("surface {}", tag)) : -1);
     return numbers;
   }
@@ -269,7 +273,8 @@ class MshReader {
       const std::int64_t tag = integer("a tag");
       if (k == 0) group = tag;
     }
-    const int dimension = msh_type(type).corners > 2 ? 2 : 1;
+    const int dimension = std::min(msh_type(type).corners - 1, 2);
+    if (dimension == 0 && group == 0) return read_cell(type, {});
     const std::int32_t number = dimension == 1 && group == 0 ? -1 : number_of_group(dimension, group);
     read_cell(type, {&number, 1});
   }
@@ -303,6 +308,7 @@ class MshReader {
   NumberIndex point_of_tag_;
   GroupNumbers regions_ = region_numbers();
   GroupNumbers lines_ = line_numbers();
+  GroupNumbers points_ = point_numbers();
 };
 
 }  // namespace

@@ -227,4 +227,20 @@ std::vector<std::int64_t> VtuData::integers(const XmlElement& array) const {
   return read<std::int64_t>(array);
 }
 
+std::vector<std::string> VtuData::texts(const XmlElement& array) const {
+  std::vector<std::string> texts(1);
+  const auto add = [&](auto code) {
+    if (code == 0)
+      texts.emplace_back();
+    else
+      texts.back() += static_cast<char>(code);
+  };
+  if (array.attribute("format") == "ascii")
+    for (const std::int64_t code : integers(array)) add(code);
+  else
+    for (const char code : stored_bytes(array)) add(code);
+  texts.pop_back();
+  return texts;
+}
+
 }  // namespace quarry

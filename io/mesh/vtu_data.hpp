@@ -19,6 +19,8 @@ class VtuData {
   // and for whole numbers that do not fit.
   [[nodiscard]] std::vector<double> doubles(const XmlElement& array) const;
   [[nodiscard]] std::vector<std::int64_t> integers(const XmlElement& array) const;
+  // Those of an array of type String: each is the codes of its characters, ended by 0.
+  [[nodiscard]] std::vector<std::string> texts(const XmlElement& array) const;
 
   [[noreturn]] void fail(const XmlElement& array, const std::string& message) const;
 

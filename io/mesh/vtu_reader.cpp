@@ -1,6 +1,8 @@
 #include "io/mesh/vtu_reader.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <span>
 
 #include <fmt/format.h>
@@ -20,15 +22,19 @@ class VtuReader {
   ReadCells read(const XmlElement& root) {
     const XmlElement* grid = root.child("UnstructuredGrid");
     if (grid == nullptr) refuse("it holds no UnstructuredGrid");
+    read_group_names(grid->child("FieldData"));
     for (const XmlElement& piece : grid->children)
       if (piece.name == "Piece") read_piece(piece);
     if (!kinds_known_) cells_.kinds.clear();
+    drop_unused();
     return std::move(cells_);
   }
 
  private:
   struct CellData {
     std::vector<std::int64_t> region, constraint, kind;
+    std::vector<std::vector<std::int64_t>> groups;  // as in cells_.groups
+    std::vector<double> aperture;
   };
 
   [[noreturn]] void refuse(const std::string& message) const {
@@ -49,6 +55,34 @@ class VtuReader {
     return *array;
   }
 
+  // The texts "<name>_names" are what the whole numbers <name> of cells mean.
+  void read_group_names(const XmlElement* fields) {
+    if (fields == nullptr) return;
+    constexpr std::string_view kEnd = "_names";
+    for (const XmlElement& array : fields->children) {
+      const std::string_view name = array.attribute("Name");
+      if (array.name != "DataArray" || array.attribute("type") != "String" || !name.ends_with(kEnd)) continue;
+      const std::string_view tag = name.substr(0, name.size() - kEnd.size());
+      constexpr std::array<std::string_view, 5> kOurs = {"region", "constraint", "kind", kSideTag,
+                                                         kApertureTag};
+      if (tag.empty() || std::ranges::find(kOurs, tag) != kOurs.end()) continue;
+      cells_.groups.push_back({{std::string(tag), data_.texts(array)}, {}, {}});
+    }
+  }
+
+  void drop_unused() {
+    const auto none = [](const std::vector<std::int32_t>& values) {
+      return std::ranges::all_of(values, [](std::int32_t value) { return value < 0; });
+    };
+    for (ReadGrouping& group : cells_.groups)
+      for (std::vector<std::int32_t>* values : {&group.of_faces, &group.of_edges})
+        if (none(*values)) values->clear();
+    std::erase_if(cells_.groups,
+                  [](const ReadGrouping& group) { return group.of_faces.empty() && group.of_edges.empty(); });
+    if (std::ranges::all_of(cells_.apertures, [](double value) { return std::isnan(value); }))
+      cells_.apertures.clear();
+  }
+
   void read_points(const XmlElement& piece) {
     const XmlElement& array = need_array(piece, "Points", "");
     const std::vector<double> values = data_.doubles(array);
@@ -57,6 +91,16 @@ class VtuReader {
       cells_.x.push_back(values[i]);
       cells_.y.push_back(values[i + 1]);
       cells_.z.push_back(values[i + 2]);
+    }
+    const XmlElement* numbers = find_array(piece.child("PointData"), kPointTag);
+    if (numbers == nullptr) return;
+    const std::vector<std::int64_t> points = data_.integers(*numbers);
+    if (points.size() != values.size() / 3)
+      data_.fail(*numbers, fmt::format("{} values for {} points", points.size(), values.size() / 3));
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (points[i] < 0) continue;
+      cells_.points.emplace_back(first_point_ + i);
+      cells_.point_numbers.push_back(static_cast<std::int32_t>(points[i]));
     }
   }
 
@@ -81,6 +125,16 @@ class VtuReader {
     return {};
   }
 
+  std::vector<std::int64_t> read_group_numbers(const XmlElement& piece, const Grouping& grouping,
+                                               std::size_t count) const {
+    std::vector<std::int64_t> numbers = read_cell_data(piece, grouping.tag, count);
+    for (const std::int64_t number : numbers)
+      if (number >= std::ssize(grouping.names))
+        refuse(fmt::format("a cell has {} {}, but there are {} names", grouping.tag, number,
+                           grouping.names.size()));
+    return numbers;
+  }
+
   void read_piece(const XmlElement& piece) {
     first_point_ = cells_.x.size();
     read_points(piece);
@@ -95,6 +149,13 @@ class VtuReader {
     values.constraint = read_groups(piece, "constraint", types.size());
     values.kind = read_cell_data(piece, "kind", types.size());
     kinds_known_ = kinds_known_ && (types.empty() || !values.kind.empty());
+    for (const ReadGrouping& group : cells_.groups)
+      values.groups.push_back(read_group_numbers(piece, group.grouping, types.size()));
+    if (const XmlElement* aperture = find_array(piece.child("CellData"), kApertureTag)) {
+      values.aperture = data_.doubles(*aperture);
+      if (values.aperture.size() != types.size())
+        data_.fail(*aperture, fmt::format("{} values for {} cells", values.aperture.size(), types.size()));
+    }
     std::int64_t begin = 0;
     for (std::size_t i = 0; i < types.size(); ++i) {
       if (ends[i] < begin || ends[i] > static_cast<std::int64_t>(corners.size()))
@@ -141,6 +202,8 @@ class VtuReader {
     if (type == kPixel) std::swap(face[2], face[3]);
     cells_.faces.push_back(face);
     cells_.regions.push_back(value_of(values.region, cell, 0));
+    for (std::size_t i = 0; i < values.groups.size(); ++i)
+      cells_.groups[i].of_faces.push_back(value_of(values.groups[i], cell, -1));
   }
 
   void add_lines(std::size_t cell, std::span<const std::int64_t> corners, const CellData& values) {
@@ -148,6 +211,9 @@ class VtuReader {
       cells_.edges.emplace_back(corner(cell, corners[k]), corner(cell, corners[k + 1]));
       cells_.constraints.push_back(value_of(values.constraint, cell, -1));
       cells_.kinds.push_back(value_of(values.kind, cell, 0));
+      for (std::size_t i = 0; i < values.groups.size(); ++i)
+        cells_.groups[i].of_edges.push_back(value_of(values.groups[i], cell, -1));
+      cells_.apertures.push_back(values.aperture.empty() ? std::nan("") : values.aperture[cell]);
     }
   }
 

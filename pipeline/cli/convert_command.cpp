@@ -25,12 +25,14 @@ void run(const ConvertArguments& arguments) {
   check_outputs({arguments.output}, {arguments.input});
   ReadCells cells = read_cells(arguments.input);
   const GroupNames names = cells.names;
+  const std::vector<Grouping> groups = groupings_of(cells);
   Mesh mesh = make_mesh(arguments.input, std::move(cells));
   arguments.written.prepare(mesh);
   const std::vector<double> jacobians = scaled_jacobians(mesh);
   MeshWriteOptions options = arguments.written.write_options();
   options.fields = {{"quarry_version", QUARRY_VERSION}};
   options.names = names;
+  options.groups = groups;
   options.scaled_jacobian = jacobians;
   write_mesh(arguments.output, mesh, options);
   log::info("wrote {}", arguments.output);

@@ -65,6 +65,7 @@ void write_mesh_file(const ImproveArguments& arguments, const ImproveResult& res
       {"input_hash", hash},
       {"options", option_text(resolved_options(arguments.improve, result)) + arguments.written.text()}};
   options.names = result.names;
+  options.groups = result.groups;
   options.scaled_jacobian = jacobians;
   write_mesh(arguments.output, result.mesh, options);
 }

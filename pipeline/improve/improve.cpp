@@ -16,6 +16,7 @@
 #include "kernels/field/size_field.hpp"
 #include "kernels/smooth/optimise.hpp"
 #include "kernels/smooth/optimise_shape.hpp"
+#include "pipeline/improve/group_labels.hpp"
 #include "pipeline/improve/input_size.hpp"
 #include "pipeline/improve/tagged_lines.hpp"
 #include "pipeline/improve/untangle.hpp"
@@ -140,6 +141,8 @@ class ImproveJob {
     if (result_.before.quads.faces == 0)
       result_.notes.push_back(fmt::format(
           "{}: the mesh has no quads: vertices move, but clean-up has nothing to do", options_.input));
+    labels_ = GroupLabels(cells);
+    result_.groups = labels_.groups();
     make_bare_mesh(std::move(cells));
     result_.tolerance = tolerance_of(options_, result_.mesh.box());
     const std::vector<std::uint32_t> invalid = invalid_faces(result_.mesh);
@@ -221,6 +224,7 @@ class ImproveJob {
     compact(mesh, EntityOrder::kHilbert);
     require_valid();
     require_lines_kept();
+    labels_.restore(mesh);
   }
 
   void require_valid() const {
@@ -244,8 +248,8 @@ class ImproveJob {
       const auto found = now.find(number);
       const double kept = found == now.end() ? 0 : found->second;
       if (std::abs(kept - length) > slack)
-        throw Error(ErrorKind::kBug,
-                    fmt::format("tagged edges {} had a length of {} and have {} now", number, length, kept));
+        throw Error(ErrorKind::kBug, fmt::format("tagged edges {} had a length of {} and have {} now",
+                                                 labels_.constraint(number), length, kept));
     }
   }
 
@@ -256,6 +260,7 @@ class ImproveJob {
   ImproveResult result_;
   std::vector<TaggedEdge> tagged_;
   TaggedLines lines_;
+  GroupLabels labels_;
   std::unique_ptr<SizeField> size_;
   Lengths lengths_;
   std::size_t lost_ = 0;

@@ -37,8 +37,9 @@ struct ImproveOptions {
 
 struct ImproveResult {
   // Faces with the tag "region"; edge entities with the tags "constraint" and "kind": those of the input and
-  // the boundary. Compact, in Hilbert order.
+  // the boundary; points and groups of the input. Compact, in Hilbert order.
   Mesh mesh;
+  std::vector<Grouping> groups;
   GroupNames names;  // of the groups of the input
   QualitySummary before;
   double tolerance = 0;          // as used

@@ -42,7 +42,7 @@ JobReport report_improvement(const ImproveOptions& options, const ImproveResult&
   report.options = resolved_options(options, result);
   report.input_files = {options.input};
   report.outline = "boundary of the mesh";
-  report.regions = summarize_regions(result.mesh);
+  report.regions = summarize_regions(result.mesh, result.groups);
   report.counts = {
       {"vertices", whole(quality.vertices)},          {"triangles", whole(quality.triangles.faces)},
       {"quads", whole(quality.quads.faces)},          {"line_edges", whole(quality.edges)},

@@ -9,6 +9,7 @@
 #include "engine/mesh/domain.hpp"
 #include "engine/mesh/pinch.hpp"
 #include "engine/parallel/parallel.hpp"
+#include "io/mesh/mesh_file.hpp"
 #include "pipeline/improve/straight_runs.hpp"
 
 namespace quarry {
@@ -32,6 +33,7 @@ class LineFinder {
   LineFinder(Mesh& mesh, std::vector<TaggedEdge> tagged, double tolerance)
       : mesh_(mesh),
         region_(mesh.find_tag<FaceId, std::int32_t>("region")),
+        point_(mesh.find_tag<VertexId, std::int32_t>(kPointTag)),
         tolerance_(tolerance),
         tagged_(std::move(tagged)) {}
 
@@ -116,6 +118,9 @@ class LineFinder {
     for (const EdgeId e : mesh_.edges())
       for (const VertexId v : {mesh_.edge_ends(e).first, mesh_.edge_ends(e).second})
         node_[v.value()] = NodeKind::kNode;
+    if (!point_.valid()) return;
+    for (const VertexId v : mesh_.vertices())
+      if (point_[v] >= 0) node_[v.value()] = NodeKind::kNode;
   }
 
   // What a side means to one who walks away from v along it.
@@ -220,9 +225,11 @@ class LineFinder {
     for (const Run& run : runs_)
       for (const VertexId v : {run.vertices.front(), run.vertices.back()}) node_[v.value()] = NodeKind::kNode;
     node_of_.assign(mesh_.vertex_slots(), NodeId());
-    for (const VertexId v : mesh_.vertices())
-      if (node_[v.value()] == NodeKind::kNode)
-        node_of_[v.value()] = result_.lines.nodes.push_back(mesh_.point(v));
+    for (const VertexId v : mesh_.vertices()) {
+      if (node_[v.value()] != NodeKind::kNode) continue;
+      node_of_[v.value()] = result_.lines.nodes.push_back(mesh_.point(v));
+      if (point_.valid()) result_.points.push_back(point_[v]);
+    }
     for (Run& run : runs_) {
       if (run.vertices.back() < run.vertices.front()) {
         std::reverse(run.vertices.begin(), run.vertices.end());
@@ -267,6 +274,7 @@ class LineFinder {
 
   Mesh& mesh_;
   Tag<FaceId, std::int32_t> region_;
+  Tag<VertexId, std::int32_t> point_;
   double tolerance_;
   std::vector<TaggedEdge> tagged_;  // sorted by ends, then number
   std::vector<BoundSide> sides_;
@@ -324,9 +332,20 @@ class GroupRestorer {
     for (const FaceId f : mesh_.faces())
       if (mesh_.alive(f)) region_[f] = number_[static_cast<std::size_t>(region_[f])];
     mark_pinches(mesh_, tags_);
+    restore_points();
   }
 
  private:
+  // Clean-up may have left another vertex at the node.
+  void restore_points() {
+    if (lines_.points.empty()) return;
+    auto point = mesh_.find_tag<VertexId, std::int32_t>(kPointTag);
+    for (const VertexId v : mesh_.vertices()) {
+      const Support support = tags_.support[v];
+      point[v] = mesh_.alive(v) && support.is_node() ? lines_.points[support.node().value()] : -1;
+    }
+  }
+
   void visit(SideId s) {
     const auto [piece, forward] = piece_under(mesh_, tags_, finder_, lines_.lines, s);
     const TaggedLines::Meaning& meaning = lines_.meanings[piece.value()];

@@ -32,6 +32,8 @@ struct TaggedLines {
   static constexpr std::int32_t kNoRegion = -0x7fffffff - 1;
   std::vector<Meaning> meanings;
   std::vector<std::int32_t> numbers;
+  // The number of the input's point at each node, or -1; empty where the mesh has none.
+  std::vector<std::int32_t> points;
   // How many tagged edges are no side of a face. They are edge entities of the mesh, and their ends are
   // fixed.
   std::size_t apart = 0;
@@ -44,16 +46,16 @@ struct TaggedLines {
   }
 };
 
-// Finds the lines of a mesh with the face tag "region" and adds ConstraintTags that bind it to them. The mesh
-// has no tombstones. tolerance: a vertex between two nodes may lie this far from the piece that joins them,
-// in input units. Each fan at a point where the domain touches itself gets a vertex of its own
-// (engine/mesh/pinch.hpp). The mesh has no edge entities before, and those that are no side of a face with
-// the tag "constraint" afterwards.
+// Finds the lines of a mesh with the face tag "region" and adds ConstraintTags that bind it to them; vertices
+// with the tag kPointTag are nodes too. The mesh has no tombstones. tolerance: a vertex between two nodes may
+// lie this far from the piece that joins them, in input units. Each fan at a point where the domain touches
+// itself gets a vertex of its own (engine/mesh/pinch.hpp). The mesh has no edge entities before, and those
+// that are no side of a face with the tag "constraint" afterwards.
 [[nodiscard]] TaggedLines bind_lines(Mesh& mesh, std::vector<TaggedEdge> tagged, double tolerance);
 
 // The inverse, after the mesh was changed within its lines: sets the tag "region" to the numbers that faces
 // had between the same pieces, and adds edge entities for the boundary and all tagged edges, with the tags
-// "constraint" and "kind".
+// "constraint" and "kind", and points to their vertices.
 void restore_groups(Mesh& mesh, const TaggedLines& lines);
 
 }  // namespace quarry

@@ -64,7 +64,7 @@ void tag_apertures(Mesh& mesh, const LineSet& lines) {
 void tag_box_sides(Mesh& mesh, std::vector<Grouping>& groups) {
   const Box2 box = mesh.box();
   const auto kind = mesh.find_tag<EdgeId, std::int32_t>("kind");
-  auto tag = mesh.add_tag<EdgeId, std::int32_t>("box_side", -1);
+  auto tag = mesh.add_tag<EdgeId, std::int32_t>(kBoxSideTag, -1);
   for (const EdgeId e : IdRange<EdgeId>(mesh.edge_slots())) {
     if (kind[e] != kOuterBoundary) continue;
     const auto [a, b] = mesh.edge_ends(e);
@@ -75,7 +75,7 @@ void tag_box_sides(Mesh& mesh, std::vector<Grouping>& groups) {
       tag[e] = p.y == box.low.y ? 2 : p.y == box.high.y ? 3 : -1;
     }
   }
-  groups.push_back({"box_side", {"left", "right", "bottom", "top"}, true});
+  groups.push_back({kBoxSideTag, {"left", "right", "bottom", "top"}});
 }
 
 std::vector<std::string> file_group_names(const std::vector<std::string>& paths) {

@@ -120,10 +120,10 @@ void name_by_seeds(const Mesh& mesh, Tag<FaceId, std::int32_t> region, const std
 
 // Tags the faces of regions with the places of their names in the grouping, to which new ones are added.
 void tag_faces(Mesh& mesh, Tag<FaceId, std::int32_t> region, const std::vector<std::string>& names,
-               const char* tag_name, bool bare, std::vector<Grouping>& groups) {
+               const char* tag_name, std::vector<Grouping>& groups) {
   if (std::ranges::all_of(names, &std::string::empty)) return;
   auto grouping = std::ranges::find(groups, tag_name, &Grouping::tag);
-  if (grouping == groups.end()) grouping = groups.insert(groups.end(), {tag_name, {}, bare});
+  if (grouping == groups.end()) grouping = groups.insert(groups.end(), {tag_name, {}});
   std::vector<std::int32_t> index;
   for (const std::string& name : names) {
     auto at = std::ranges::find(grouping->names, name);
@@ -169,8 +169,8 @@ void name_regions(Mesh& mesh, const std::vector<const LineSet*>& sets, const std
       if (!names[i].empty() && !materials[i].empty()) break;
     }
   name_by_seeds(mesh, region, seeds, names);
-  tag_faces(mesh, region, names, kZoneTag, true, groups);
-  tag_faces(mesh, region, materials, "material", false, groups);
+  tag_faces(mesh, region, names, kZoneTag, groups);
+  tag_faces(mesh, region, materials, "material", groups);
 }
 
 }  // namespace quarry

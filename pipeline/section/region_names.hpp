@@ -10,9 +10,6 @@
 
 namespace quarry {
 
-// The face tag (int32) with what regions are called: an index into the names of the grouping of this tag.
-inline constexpr const char* kZoneTag = "zone";
-
 // A point in the region that is to have a name.
 struct SeedPoint {
   Vec2 place;

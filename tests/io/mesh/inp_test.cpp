@@ -108,5 +108,15 @@ TEST_F(Inp, NamesTheLineOfWhatItCannotRead) {
                "a second *PART with nodes");
 }
 
+TEST_F(Inp, TakesNodeSetsOfOneNodeForPoints) {
+  const ReadCells cells = read(std::string(kNodes) + kFaces +
+                               "*NSET, NSET=POINT_4\n30,\n*Nset, nset=Well\n50\n*NSET, NSET=edge\n10, 20\n"
+                               "*NSET, NSET=of_a_set\nWell\n*NSET, NSET=elsewhere\n99\n"
+                               "*NSET, NSET=some, GENERATE\n10, 30, 10\n");
+  EXPECT_EQ(cells.points, (std::vector<VertexId>{VertexId(2U), VertexId(4U)}));
+  EXPECT_EQ(cells.point_numbers, (std::vector<std::int32_t>{4, 0}));
+  EXPECT_EQ(cells.names.points.at(0), "Well");
+}
+
 }  // namespace
 }  // namespace quarry

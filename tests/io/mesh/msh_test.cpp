@@ -236,5 +236,19 @@ TEST(MshReader, RefusesFilesWithoutAFormat) {
   expect_error("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n", "", "no $MeshFormat");
 }
 
+TEST(MshReader, ReadsPhysicalPointsOfBothFormats) {
+  const TemporaryFolder folder;
+  std::string text = kOldMesh;
+  text.replace(text.find("$Elements\n3"), 11, "$Elements\n5\n8 15 2 9 1 20\n9 15 2 0 1 10");
+  const ReadCells old = read_cells(folder.file("old.msh", text));
+  ASSERT_EQ(old.point_numbers, (std::vector<std::int32_t>{9})) << "a point in no group is none of ours";
+  Mesh mesh = make_mesh("old.msh", old);
+  write_mesh(folder.file("new.msh"), mesh, {.names = {.regions = {}, .lines = {}, .points = {{9, "well"}}}});
+  const ReadCells cells = read_cells(folder.file("new.msh"));
+  ASSERT_EQ(cells.points.size(), 1U);
+  EXPECT_EQ(cells.names.points.at(cells.point_numbers[0]), "well");
+  EXPECT_EQ(cells.x[cells.points[0].value()], old.x[old.points[0].value()]);
+}
+
 }  // namespace
 }  // namespace quarry

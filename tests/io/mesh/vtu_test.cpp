@@ -102,5 +102,51 @@ TEST(VtuReader, RefusesCoordinatesThatAreNotFinite) {
   }
 }
 
+// The tiny mesh with a point, zones of its regions, and the set and aperture of its line.
+Mesh grouped_mesh() {
+  Mesh mesh = tiny_mesh();
+  mesh.add_tag<VertexId, std::int32_t>(kPointTag, -1)[vertex(2)] = 5;
+  mesh.add_tag<FaceId, std::int32_t>(kZoneTag).values().raw() = {1, -1, 0};
+  mesh.add_tag<EdgeId, std::int32_t>("set", 0);
+  mesh.add_tag<EdgeId, double>(kApertureTag, 0.25);
+  return mesh;
+}
+
+TEST(VtuReader, ReadsPointsGroupsAndAperturesBack) {
+  const TemporaryFolder folder;
+  MeshWriteOptions options;
+  options.fields = {{"options", "size=1"}};
+  options.groups = {{kZoneTag, {"clay", "north bank"}}, {"set", {"joints"}}, {"name", {"unused"}}};
+  write_vtu(folder.file("a.vtu"), grouped_mesh(), options);
+  ReadCells cells = read_cells(folder.file("a.vtu"));
+  const std::vector<Grouping> groups = groupings_of(cells);
+  ASSERT_EQ(groups.size(), 2U) << "what no face and no edge has is left out";
+  EXPECT_EQ(groups[0].names, options.groups[0].names);
+  const Mesh mesh = make_mesh("a.vtu", std::move(cells));
+  EXPECT_EQ((mesh.find_tag<VertexId, std::int32_t>(kPointTag)[vertex(2)]), 5);
+  EXPECT_EQ((mesh.find_tag<FaceId, std::int32_t>(kZoneTag).values().raw()),
+            (std::vector<std::int32_t>{1, -1, 0}));
+  const auto e = EdgeId(std::size_t{0});
+  EXPECT_EQ((mesh.find_tag<EdgeId, std::int32_t>("set")[e]), 0);
+  EXPECT_EQ((mesh.find_tag<EdgeId, double>(kApertureTag)[e]), 0.25);
+  options.groups.pop_back();
+  write_vtu(folder.file("b.vtu"), mesh, options);
+  write_vtu(folder.file("c.vtu"), grouped_mesh(), options);
+  EXPECT_TRUE(file_content(folder.file("b.vtu")) == file_content(folder.file("c.vtu")));
+}
+
+TEST(VtuReader, RefusesAGroupWithoutAName) {
+  const TemporaryFolder folder;
+  write_vtu(folder.file("a.vtu"), grouped_mesh(), {.groups = {{kZoneTag, {"clay"}}}});
+  try {
+    static_cast<void>(read_mesh(folder.file("a.vtu")));
+    FAIL() << "no error";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::kInput);
+    EXPECT_NE(error.message().find("a cell has zone 1, but there are 1 names"), std::string::npos)
+        << error.message();
+  }
+}
+
 }  // namespace
 }  // namespace quarry

@@ -1,5 +1,6 @@
 #include "pipeline/improve/improve.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -30,14 +31,14 @@ Lengths edge_lengths(const Mesh& mesh) {
   return lengths;
 }
 
-std::map<std::int32_t, double> region_areas(const Mesh& mesh) {
+// The area of the faces of each value of a tag.
+std::map<std::int32_t, double> areas_by(const Mesh& mesh, const char* tag_name) {
   std::map<std::int32_t, double> areas;
-  const MeshFileTags tags(mesh);
+  const auto tag = mesh.find_tag<FaceId, std::int32_t>(tag_name);
   for (const FaceId f : mesh.faces()) {
     const Vec2 a = mesh.point(mesh.corner(f, 0));
     for (int k = 1; k + 1 < mesh.corner_count(f); ++k)
-      areas[tags.region(f)] +=
-          0.5 * cross(mesh.point(mesh.corner(f, k)) - a, mesh.point(mesh.corner(f, k + 1)) - a);
+      areas[tag[f]] += 0.5 * cross(mesh.point(mesh.corner(f, k)) - a, mesh.point(mesh.corner(f, k + 1)) - a);
   }
   return areas;
 }
@@ -63,7 +64,7 @@ TEST_P(Improve, KeepsRegionsAndTaggedEdgesOfEveryFormat) {
   const Mesh before = make_sample_mesh(crooked);
   const ImproveResult result = improve_mesh({.input = sample(crooked)}, {});
   EXPECT_EQ(validate(result.mesh, GeometryCheck::kPlanarCorners), "");
-  expect_near(region_areas(result.mesh), region_areas(before));
+  expect_near(areas_by(result.mesh, "region"), areas_by(before, "region"));
   expect_near(edge_lengths(result.mesh), edge_lengths(before));
 }
 
@@ -224,6 +225,51 @@ TEST_F(ImproveJob, LeavesOutLinesBetweenPointsOfNoFace) {
   ASSERT_EQ(result.notes.size(), 1U);
   EXPECT_NE(result.notes[0].find("1 lines join points that belong to no face"), std::string::npos);
   EXPECT_EQ(edge_lengths(result.mesh).at({2, 2}), 1.0);
+}
+
+// A point at `well`; a zone for each of the two regions, but for three faces of the first; two box sides; an
+// aperture for line 5.
+Mesh make_grouped_sample(VertexId well, const SampleMesh& sample) {
+  Mesh mesh = make_sample_mesh(sample);
+  mesh.add_tag<VertexId, std::int32_t>(kPointTag, -1)[well] = 3;
+  const MeshFileTags tags(mesh);
+  auto zone = mesh.add_tag<FaceId, std::int32_t>(kZoneTag, -1);
+  for (const FaceId f : mesh.faces()) zone[f] = f.value() < 3 ? -1 : 1 - tags.region(f);
+  auto side = mesh.add_tag<EdgeId, std::int32_t>(kBoxSideTag, -1);
+  auto aperture = mesh.add_tag<EdgeId, double>(kApertureTag, std::nan(""));
+  for (const EdgeId e : mesh.edges()) {
+    const auto [a, b] = mesh.edge_ends(e);
+    if (tags.constraint(e) == -1) side[e] = std::max(mesh.point(a).x, mesh.point(b).x) == 0 ? 0 : 1;
+    if (tags.constraint(e) == 5) aperture[e] = 0.125;
+  }
+  return mesh;
+}
+
+TEST_F(ImproveJob, KeepsPointsInTheirPlacesAndGroupsWithTheirRegionsAndLines) {
+  const SampleMesh sample{.size = 24, .disorder = 0.6};
+  const VertexId well(sample_vertex(sample, 5, 7));
+  const Mesh before = make_grouped_sample(well, sample);
+  write_mesh(folder_.file("in.vtu"), before,
+             {.groups = {{kZoneTag, {"east", "west"}}, {kBoxSideTag, {"left", "right"}}}});
+  const ImproveResult result = improve_mesh({.input = folder_.file("in.vtu")}, {});
+  const Mesh& mesh = result.mesh;
+  EXPECT_EQ(validate(mesh, GeometryCheck::kPlanarCorners), "");
+  EXPECT_EQ(result.groups.size(), 2U);
+  expect_near(edge_lengths(mesh), edge_lengths(before));
+  for (const char* const tag : {"region", kZoneTag}) expect_near(areas_by(mesh, tag), areas_by(before, tag));
+
+  const auto point = mesh.find_tag<VertexId, std::int32_t>(kPointTag);
+  for (const VertexId v : mesh.vertices()) EXPECT_EQ(point[v], mesh.point(v) == before.point(well) ? 3 : -1);
+  EXPECT_EQ(std::ranges::count(point.values(), 3), 1);
+  const auto side = mesh.find_tag<EdgeId, std::int32_t>(kBoxSideTag);
+  const auto aperture = mesh.find_tag<EdgeId, double>(kApertureTag);
+  const MeshFileTags tags(mesh);
+  for (const EdgeId e : mesh.edges()) {
+    const auto [a, b] = mesh.edge_ends(e);
+    const bool left = std::max(mesh.point(a).x, mesh.point(b).x) == 0;
+    EXPECT_EQ(side[e], tags.constraint(e) == -1 ? (left ? 0 : 1) : -1);
+    EXPECT_EQ(aperture[e] == 0.125, tags.constraint(e) == 5);
+  }
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "engine/mesh/build.hpp"
 #include "engine/mesh/validate.hpp"
+#include "io/mesh/mesh_file.hpp"
 
 namespace quarry {
 namespace {
@@ -159,6 +160,18 @@ TEST(TaggedLines, GiveEachFanAtAPinchItsVertex) {
   EXPECT_EQ(lines.lines.pieces.size(), 8U);
   restore_groups(mesh, lines);
   EXPECT_EQ(mesh.edge_slots(), 8U);
+}
+
+TEST(TaggedLines, APointOfTheInputIsANodeAndComesBack) {
+  const Square square(4);
+  Mesh mesh = square.mesh();
+  mesh.add_tag<VertexId, std::int32_t>(kPointTag, -1)[square.at(1, 2)] = 6;
+  const TaggedLines lines = bind_lines(mesh, {}, 1e-9);
+  EXPECT_EQ(lines.lines.nodes.size(), 5U);
+  EXPECT_TRUE(ConstraintTags::of(mesh).support[square.at(1, 2)].is_node());
+  restore_groups(mesh, lines);
+  const auto point = mesh.find_tag<VertexId, std::int32_t>(kPointTag);
+  for (const VertexId v : mesh.vertices()) EXPECT_EQ(point[v], v == square.at(1, 2) ? 6 : -1);
 }
 
 }  // namespace
