@@ -1,18 +1,24 @@
 #!/usr/bin/env python3
-"""Fracture networks of growing size, meshed by the command and, on the same cleaned lines, by gmsh: whole processes, file
-to file. Prints tables in Markdown, as they stand in docs/results-networks.md.
+"""Fracture networks of growing size, meshed by the command and, on the same cleaned lines, by gmsh and netgen: whole
+processes, file to file. Prints tables in Markdown, as they stand in docs/results-networks.md.
 
 usage: networks.py [--quarry build/quarry] [--referee DIR] [--segments 1000,10000,100000] [--repeat 3] [--limit 300]
-                   [--peers 10000] [--out docs/results-networks.md]
+                   [--peers 10000] [--out docs/results-networks.md] [--json FILE] [--compare FILE]
 
---peers   the largest network that gmsh is given
---limit   seconds that a run of gmsh may take
+--peers    the largest network that gmsh and netgen are given
+--limit    seconds that a run of theirs may take
+--json     all figures and ratios, for --compare
+--compare  prints the ratios beside those of such a file, and ends with 1 if one fell by more than a fifth
 """
 import argparse
+import json
 import os
+import sys
 import tempfile
 
 import gmsh_geo
+import network_page
+import ratios
 from gmsh_peer import GMSH_WAYS, gmsh_command, gmsh_size
 from jobs import Referee, digest, load_json, machine_text, run, say, source_commit
 
@@ -21,28 +27,8 @@ SHAPES = {"1,000 segments": (1000, 105), "10,000": (10000, 145), "100,000": (100
 WAYS = (("quads, no clean-up", ("--cleanup", "none")), ("quads", ()), ("triangles", ("--elements", "tri")))
 # Triangles of gmsh: what it does, options.
 GMSH_TRIANGLES = (("triangles, frontal", {"Algorithm": 6}), ("triangles, Delaunay", {"Algorithm": 5}))
-
-PAGE = """# Networks of growing size
-
-Made by `bench/networks.py`, which anyone can rerun; do not edit. Fractures drawn by `quarry generate fractures --count N`
-in a box of 1000, {size}. Whole processes, file to file, seconds of processor time (and of the clock in brackets), the best
-of {repeat}. gmsh meshes the lines that `quarry clean` wrote, face by face of the arrangement, to an edge that gives about as
-many elements; the ways are those of [results.md](results.md). A run of it ends after {limit} s. Machine: {machine}.
-Sources as of {commit}.
-
-## quarry
-
-| network | what | H | elements | 1 thread s | elements/s | us an element | 2 threads s | 1 by 2, clock | peak MB | bytes an element above 50 MB | SJ min | SJ mean | % irregular | same bytes 1, 2 |
-|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|
-{ours}
-
-## gmsh beside it
-
-{peers}
-"""
-
-PEER_HEADING = """| network | gmsh | elements | s | elements/s | quarry's, of its kind, are so many times as fast: without clean-up | with | triangles left | SJ min | SJ mean | % irregular |
-|---|---|---|---|---|---|---|---|---|---|---|"""
+NETGEN = os.path.join(os.path.dirname(os.path.abspath(__file__)), "netgen_peer.py")
+NETGEN_WAYS = (("mostly quads", ["--quads"], "quad"), ("triangles", [], "triangle"))
 
 
 class Bench:
@@ -64,38 +50,37 @@ class Bench:
             + ("" if best.code == 0 else f", {best.why}"))
         return best, digest(out) if best.code == 0 else "", load_json(report) if best.code == 0 else None
 
+    def fastest(self, command, runs=()):
+        """The best processor time of as many runs as asked for, those given among them, and the largest memory."""
+        left = range(self.arguments.repeat - len(runs))
+        runs = [*runs, *(run(command, self.folder, self.arguments.limit) for _ in left)]
+        return {"cpu": min(each.cpu for each in runs), "peak": max(each.peak for each in runs)}
+
 
 def measure_ours(bench, label, lines, size):
-    rows = []
     for what, extra in WAYS:
-        done, first, job = bench.mesh(lines, size, extra, 1)
-        if done.code != 0:
-            rows.append({"network": label, "what": what, "error": done.why})
+        one, first, job = bench.mesh(lines, size, extra, 1)
+        if one.code != 0:
+            yield {"network": label, "what": what, "error": one.why}
             continue
         two, second, _ = bench.mesh(lines, size, extra, 2)
-        rows.append({"network": label, "what": what, "size": size, "job": job, "one": done, "two": two,
-                     "same": first == second,
-                     "count": job["counts"]["quads"] + job["counts"]["triangles"]})
-    return rows
+        quality = job["quality"]
+        yield {"network": label, "what": what, "size": size,
+               "elements": job["counts"]["quads"] + job["counts"]["triangles"],
+               "one": {"cpu": one.cpu, "wall": one.wall}, "two": {"cpu": two.cpu, "wall": two.wall},
+               "peak": job["peak_memory_bytes"], "same_bytes": first == second,
+               "sj_min": quality["scaled_jacobian"]["min"], "sj_mean": quality["scaled_jacobian"]["mean"],
+               "below_0.2": 100 * quality["scaled_jacobian"]["share_below_0.2"],
+               "irregular": 100 * quality["valence"]["irregular_share"]}
 
 
-def ours_row(row):
-    if "error" in row:
-        return f"| {row['network']} | {row['what']} | {row['error']} |" + " |" * 12
-    count, one, two, quality = row["count"], row["one"], row["two"], row["job"]["quality"]
-    peak = row["job"]["peak_memory_bytes"]
-    return (f"| {row['network']} | {row['what']} | {row['size']:.3g} | {count:,} | {one.cpu:.2f} ({one.wall:.2f}) | "
-            f"{count / one.cpu:,.0f} | {1e6 * one.cpu / count:.2f} | {two.cpu:.2f} ({two.wall:.2f}) | "
-            f"{one.wall / two.wall:.2f} | {peak / 1e6:.0f} | {max(0, peak - 5e7) / count:.0f} | "
-            f"{quality['scaled_jacobian']['min']:.3f} | {quality['scaled_jacobian']['mean']:.4f} | "
-            f"{100 * quality['valence']['irregular_share']:.2f} | {'yes' if row['same'] else '**no**'} |")
+def peer_error(done):
+    return "not done in the time" if done.code == -1 else done.why
 
 
-def peer_runs(bench, lines, size, quads):
-    """(way, elements, run, quality) of each way of gmsh on the cleaned lines."""
-    clean = bench.path("clean.geojson")
-    run([bench.quarry, "clean", lines, "--size", f"{size:.12g}", "-o", clean, "--quiet"], bench.folder)
-    ways = [(label, shape, factor or 2, options, "quad") for label, shape, factor, options in GMSH_WAYS
+def gmsh_runs(bench, clean, size):
+    """A row for each way of gmsh on the cleaned lines."""
+    ways = [(label, shape, factor, options, "quad") for label, shape, factor, options in GMSH_WAYS
             if shape == "faces" and factor]
     ways += [(label, "faces", 1, options, "triangle") for label, options in GMSH_TRIANGLES]
     for label, shape, factor, options, kind in ways:
@@ -103,32 +88,59 @@ def peer_runs(bench, lines, size, quads):
         gmsh_geo.write_geo(clean, geo, size, shape)
         done = run(gmsh_command(geo, target, factor * size, options, False), bench.folder, bench.arguments.limit)
         say(f"gmsh, {label}: {done.cpu:.2f} s" + ("" if done.code == 0 else f", {done.why}"))
+        row = {"who": "gmsh", "way": label, "kind": kind}
         if done.code != 0:
-            yield {"way": label, "kind": kind, "error": "not done in the time" if done.code == -1 else done.why}
+            yield {**row, "error": peer_error(done)}
             continue
-        counts = gmsh_size(target)
-        row = {"way": label, "kind": kind, "quads": counts[0], "triangles": counts[1]}
+        row["quads"], row["triangles"] = gmsh_size(target)
         if bench.referee.there and kind == "quad":
             quality = bench.referee.quality(target)
-            jacobian = quality["quad"]["scaled_jacobian"]
-            row.update(sj_min=jacobian["min"], sj_mean=jacobian["mean"], irregular=quality["valence"]["irregular_pct"])
-        fast = [run(gmsh_command(geo, target, factor * size, options, True), bench.folder, bench.arguments.limit)
-                for _ in range(bench.arguments.repeat)]
-        row["cpu"] = min(each.cpu for each in fast)
-        yield row
+            quads = quality["quad"]
+            row.update({"sj_min": quads["scaled_jacobian"]["min"], "sj_mean": quads["scaled_jacobian"]["mean"],
+                        "below_0.2": quads["sj_below_0p2_pct"], "irregular": quality["valence"]["irregular_pct"]})
+        yield {**row, **bench.fastest(gmsh_command(geo, target, factor * size, options, True))}
 
 
-def peer_row(network, row, ours):
-    if "error" in row:
-        return f"| {network} | {row['way']} | {row['error']} |" + " |" * 8
-    count = row["quads"] if row["kind"] == "quad" else row["triangles"]
-    rate = count / row["cpu"]
-    times = [f"{each['count'] / each['one'].cpu / rate:.1f}" if each and "one" in each else "" for each in
-             ([ours["quads, no clean-up"], ours["quads"]] if row["kind"] == "quad" else [ours["triangles"], None])]
-    shape = [f"{row[key]:.4g}" if key in row else "" for key in ("sj_min", "sj_mean", "irregular")]
-    left = f"{row['triangles']:,}" if row["kind"] == "quad" else ""
-    return (f"| {network} | {row['way']} | {count:,} | {row['cpu']:.2f} | {rate:,.0f} | {times[0]} | {times[1]} | {left} | "
-            + " | ".join(shape) + " |")
+def netgen_runs(bench, clean, size):
+    for label, extra, kind in NETGEN_WAYS:
+        printed = bench.path("netgen.txt")
+        command = ["/usr/bin/python3", NETGEN, clean, bench.path("netgen.vol"), "--size", repr(size), *extra]
+        done = run(command, bench.folder, bench.arguments.limit, printed)
+        say(f"netgen, {label}: {done.cpu:.2f} s" + ("" if done.code == 0 else f", {done.why}"))
+        row = {"who": "netgen", "way": label, "kind": kind}
+        if done.code != 0:
+            yield {**row, "error": peer_error(done)}
+            continue
+        with open(printed, errors="replace") as file:
+            row.update(json.loads(file.read().strip().splitlines()[-1]))
+        yield {**row, **bench.fastest(command, [done])}
+
+
+def peer_runs(bench, label, lines, size):
+    clean = bench.path("clean.geojson")
+    run([bench.quarry, "clean", lines, "--size", f"{size:.12g}", "-o", clean, "--quiet"], bench.folder)
+    for row in [*gmsh_runs(bench, clean, size), *netgen_runs(bench, clean, size)]:
+        if "cpu" in row:
+            row["elements"] = row["quads"] if row["kind"] == "quad" else row["triangles"]
+        yield {"network": label, **row}
+
+
+def measure(arguments):
+    wanted = {int(word) for word in arguments.segments.split(",")}
+    ours, peers = [], []
+    with tempfile.TemporaryDirectory() as folder:
+        bench = Bench(arguments, folder)
+        for label, (count, density) in SHAPES.items():
+            if count not in wanted:
+                continue
+            lines, size = bench.path(f"{count}.geojson"), density / count**0.5
+            run([bench.quarry, "generate", "fractures", "--count", count, "-o", lines, "-q"], folder)
+            ours += measure_ours(bench, label, lines, size)
+            if count <= arguments.peers:
+                peers += peer_runs(bench, label, lines, size)
+            os.remove(lines)
+    return {"machine": machine_text(), "commit": source_commit(), "quarry": ours, "peers": peers,
+            "ratios": ratios.find_ratios(ours, peers)}
 
 
 def parse():
@@ -140,29 +152,21 @@ def parse():
     parser.add_argument("--limit", type=int, default=300)
     parser.add_argument("--peers", type=int, default=10000)
     parser.add_argument("--out", default="")
+    parser.add_argument("--json", default="")
+    parser.add_argument("--compare", default="")
     return parser.parse_args()
 
 
 def main():
     arguments = parse()
-    wanted = {int(word) for word in arguments.segments.split(",")}
-    ours_rows, peer_rows = [], []
-    with tempfile.TemporaryDirectory() as folder:
-        bench = Bench(arguments, folder)
-        for label, (count, density) in SHAPES.items():
-            if count not in wanted:
-                continue
-            lines, size = bench.path(f"{count}.geojson"), density / count**0.5
-            run([bench.quarry, "generate", "fractures", "--count", count, "-o", lines, "-q"], folder)
-            rows = measure_ours(bench, label, lines, size)
-            ours_rows += map(ours_row, rows)
-            ours = {row["what"]: row for row in rows}
-            if count <= arguments.peers and "count" in ours["quads"]:
-                peer_rows += [peer_row(label, row, ours) for row in peer_runs(bench, lines, size, ours["quads"]["count"])]
-            os.remove(lines)
-    page = PAGE.format(size="with lengths by a power law and two sets of directions", repeat=arguments.repeat,
-                       limit=arguments.limit, machine=machine_text(), commit=source_commit(), ours="\n".join(ours_rows),
-                       peers="\n".join([PEER_HEADING, *peer_rows]) if peer_rows else "Not run.")
+    results = measure(arguments)
+    if arguments.json:
+        with open(arguments.json, "w") as file:
+            json.dump(results, file, indent=1)
+            file.write("\n")
+    if arguments.compare:
+        sys.exit(0 if ratios.compare(results["ratios"], load_json(arguments.compare)["ratios"]) else 1)
+    page = network_page.page(results, arguments.repeat, arguments.limit, results["machine"], results["commit"])
     if not arguments.out:
         print(page)
         return

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -93,13 +94,25 @@ const MeshFormat& read_format_of(const std::string& path) {
   return format;
 }
 
+void check_points(const std::string& path, const ReadCells& cells) {
+  for (std::size_t i = 0; i < cells.x.size(); ++i)
+    if (!std::isfinite(cells.x[i]) || !std::isfinite(cells.y[i]) || !std::isfinite(cells.z[i]))
+      throw Error(ErrorKind::kInput,
+                  fmt::format("{}: point {} has a coordinate that is not a finite number: ({}, {}, {})", path,
+                              i, cells.x[i], cells.y[i], cells.z[i]));
+}
+
 }  // namespace
 
 void write_mesh(const std::string& path, const Mesh& mesh, const MeshWriteOptions& options) {
   written_format_of(path).write(path, mesh, options);
 }
 
-ReadCells read_cells(const std::string& path) { return read_format_of(path).read(path); }
+ReadCells read_cells(const std::string& path) {
+  ReadCells cells = read_format_of(path).read(path);
+  check_points(path, cells);
+  return cells;
+}
 
 Mesh read_mesh(const std::string& path) { return make_mesh(path, read_cells(path)); }
 

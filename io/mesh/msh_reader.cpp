@@ -45,6 +45,8 @@ constexpr MshType msh_type(int type) {
   }
 }
 
+constexpr int dimension_of(int type) { return std::min(msh_type(type).corners - 1, 2); }
+
 // An entity or physical group: its dimension and its tag.
 using GroupKey = std::pair<int, std::int64_t>;
 
@@ -258,6 +260,8 @@ class MshReader {
       const std::int64_t entity = integer("a tag");
       const auto type = static_cast<int>(integer("an element type"));
       check_type(type);
+      if (dimension_of(type) != dimension)
+        cursor_.fail(fmt::format("elements of type {} in an entity of dimension {}", type, dimension));
       const std::vector<std::int32_t> numbers = numbers_of_entity(dimension, entity);
       for (auto left = size("a number of elements"); left > 0; --left) {
         size("an element tag");
@@ -273,7 +277,7 @@ class MshReader {
       const std::int64_t tag = integer("a tag");
       if (k == 0) group = tag;
     }
-    const int dimension = std::min(msh_type(type).corners - 1, 2);
+    const int dimension = dimension_of(type);
     if (dimension == 0 && group == 0) return read_cell(type, {});
     const std::int32_t number = dimension == 1 && group == 0 ? -1 : number_of_group(dimension, group);
     read_cell(type, {&number, 1});

@@ -11,14 +11,6 @@
 namespace quarry {
 namespace {
 
-void check_points(const std::string& path, const ReadCells& cells) {
-  for (std::size_t i = 0; i < cells.x.size(); ++i)
-    if (!std::isfinite(cells.x[i]) || !std::isfinite(cells.y[i]) || !std::isfinite(cells.z[i]))
-      throw Error(ErrorKind::kInput,
-                  fmt::format("{}: point {} has a coordinate that is not a finite number: ({}, {}, {})", path,
-                              i, cells.x[i], cells.y[i], cells.z[i]));
-}
-
 Mesh build(const std::string& path, ReadCells& cells) {
   const bool planar = std::all_of(cells.z.begin(), cells.z.end(), [](double z) { return z == 0; });
   try {
@@ -72,7 +64,6 @@ void tag_points(Mesh& mesh, const ReadCells& cells) {
 }  // namespace
 
 Mesh make_mesh(const std::string& path, ReadCells cells) {
-  check_points(path, cells);
   Mesh mesh = build(path, cells);
   mesh.add_tag<FaceId, std::int32_t>("region").values().raw() = std::move(cells.regions);
   const std::vector<std::size_t> places = add_edges(path, cells, mesh);

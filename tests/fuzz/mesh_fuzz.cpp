@@ -22,6 +22,15 @@ void check(const quarry::ReadCells& cells) {
   require(cells.constraints.size() == cells.edges.size());
   require(cells.kinds.empty() || cells.kinds.size() == cells.edges.size());
   for (const auto& [a, b] : cells.edges) require(a.value() < points && b.value() < points);
+  require(cells.point_numbers.size() == cells.points.size());
+  for (const quarry::VertexId v : cells.points) require(v.value() < points);
+  for (const quarry::ReadGrouping& group : cells.groups) {
+    require(group.of_faces.empty() || group.of_faces.size() == cells.faces.size());
+    require(group.of_edges.empty() || group.of_edges.size() == cells.edges.size());
+    for (const auto* indices : {&group.of_faces, &group.of_edges})
+      for (const std::int32_t index : *indices) require(index < std::ssize(group.grouping.names));
+  }
+  require(cells.apertures.empty() || cells.apertures.size() == cells.edges.size());
 }
 
 }  // namespace

@@ -117,16 +117,33 @@ TEST(MshReader, GivesNamesTheNumbersThatNoGroupOfOursHas) {
   EXPECT_EQ(cells.names.regions.at(1), "sandstone");
 }
 
+// A triangle, and a line of two groups along one of its edges.
+constexpr const char* kNewMesh =
+    "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$PhysicalNames\n3\n1 1 \"outer_boundary\"\n1 2 \"line_3\"\n"
+    "1 4 \"line_8\"\n$EndPhysicalNames\n$Entities\n0 1 1 0\n1 0 0 0 1 1 0 3 1 2 4 0\n"
+    "5 0 0 0 1 1 0 0 0\n$EndEntities\n$Nodes\n1 3 1 3\n2 5 0 3\n1\n2\n3\n0 0 0\n1 0 0\n0 1 0\n"
+    "$EndNodes\n$Elements\n2 2 1 2\n1 1 1 1\n1 1 2\n2 5 2 1\n2 1 2 3\n$EndElements\n";
+
 TEST(MshReader, ReadsALineOnceForEachOfItsGroups) {
   const TemporaryFolder folder;
-  const ReadCells cells = read_cells(folder.file(
-      "new.msh",
-      "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$PhysicalNames\n3\n1 1 \"outer_boundary\"\n1 2 \"line_3\"\n"
-      "1 4 \"line_8\"\n$EndPhysicalNames\n$Entities\n0 1 1 0\n1 0 0 0 1 1 0 3 1 2 4 0\n"
-      "5 0 0 0 1 1 0 0 0\n$EndEntities\n$Nodes\n1 3 1 3\n2 5 0 3\n1\n2\n3\n0 0 0\n1 0 0\n0 1 0\n"
-      "$EndNodes\n$Elements\n2 2 1 2\n1 1 1 1\n1 1 2\n2 5 2 1\n2 1 2 3\n$EndElements\n"));
+  const ReadCells cells = read_cells(folder.file("new.msh", kNewMesh));
   EXPECT_EQ(cells.constraints, (std::vector<std::int32_t>{3, 8}));
   EXPECT_EQ(cells.regions, (std::vector<std::int32_t>{0}));
+}
+
+// Found by fuzzing.
+TEST(MshReader, RefusesElementsOfAnotherDimensionThanTheirEntity) {
+  const TemporaryFolder folder;
+  std::string text = kNewMesh;
+  text.replace(text.find("2 5 2 1\n2 1 2 3"), 7, "1 1 2 1");
+  try {
+    static_cast<void>(read_cells(folder.file("new.msh", text)));
+    FAIL() << "no error";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::kInput);
+    EXPECT_NE(error.message().find("elements of type 2 in an entity of dimension 1"), std::string::npos)
+        << error.message();
+  }
 }
 
 void expect_error(const std::string& from, const std::string& to, const std::string& message) {
