@@ -110,8 +110,11 @@ void FaceReplacer::join(MeshEditor& editor, ConstraintTags tags, std::span<const
         return;
       }
       const Side* back = sides_.find(stamped_key(mesh.target(s), mesh.origin(s)));
-      assert(back != nullptr && back->fresh.valid());
-      if (s < back->fresh) editor.join(s, back->fresh);
+      assert(back == nullptr || back->fresh.valid());
+      if (back == nullptr)
+        editor.join(s, {});  // a part of a boundary side
+      else if (s < back->fresh)
+        editor.join(s, back->fresh);
     });
     editor.set(tags.sides, f, bits);
   }

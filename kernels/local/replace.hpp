@@ -17,11 +17,11 @@ namespace quarry {
 class FaceReplacer {
  public:
   // Puts `fresh` in the place of `old`: both cover the same region and have the same directed rim sides, that
-  // is sides whose other face is not in the region. The slots of old faces are used first, then
-  // ids.take_face(); slots that are left over die, as do inner vertices that no fresh face uses. Dead faces
-  // among the old ones are slots and nothing else. Vertices
-  // that are new, or dead, come alive by being used. Constraint bits of sides that stay, on the rim or
-  // inside, are carried over; new sides have none. side_of stays right, most clockwise on the boundary.
+  // is sides whose other face is not in the region; a side on the boundary of the mesh may become two. The
+  // slots of old faces are used first, then ids.take_face(); slots that are left over die, as do inner
+  // vertices that no fresh face uses. Dead faces among the old ones are slots and nothing else. Vertices that
+  // are new, or dead, come alive by being used. Constraint bits of sides that stay, on the rim or inside, are
+  // carried over; new sides have none. side_of stays right, most clockwise on the boundary.
   //
   // A confined editor must have claimed the corners of the old faces. New vertices are placed and tagged by
   // the caller before the call. Returns the slots used, in the order of `fresh`, valid until the next call;

@@ -38,7 +38,8 @@ void smooth(Mesh& mesh, const NodedLines& lines, const MatchingOptions& options,
   }
   report.smoothing.push_back(optimise_shape(mesh, lines, options.shape, progress));
   for (int round = 0; round < options.ring_rounds; ++round) {
-    report.rings.push_back(ring_straight_corners(mesh, lines, progress));
+    report.rings.push_back(
+        ring_straight_corners(mesh, lines, {.keep_boundary = options.keep_boundary}, progress));
     if (report.rings.back().won == 0) break;
     report.smoothing.push_back(optimise_shape(mesh, lines, options.shape, progress));
   }

@@ -47,7 +47,7 @@ struct MatchingOptions {
   // Quads are smoothed, and their straight corners opened, this often.
   int opening_rounds = 2;
   OpeningOptions openings;
-  // What is inverted then gets rings, which halve constrained edges, at most this often.
+  // What is inverted then gets rings, which cut constrained edges, at most this often.
   int ring_rounds = 6;
   ShapeOptions shape{.sweeps = 6};
   OptimiseOptions optimise;

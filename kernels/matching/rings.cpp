@@ -1,5 +1,6 @@
 #include "kernels/matching/rings.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -13,9 +14,12 @@ namespace quarry {
 namespace {
 
 constexpr std::size_t kMostFaces = 12;  // around the ringed vertex
+// Where the edges at the ringed vertex are cut: nearer to it where the straight corner is reflex and comes
+// close to it.
+constexpr std::array<double, 4> kCuts = {0.5, 0.35, 0.25, 0.15};
 // Where the centre of a quad may lie on its diagonal from the ringed vertex: beyond the line through the two
-// midpoints, which crosses the diagonal of a convex quad before its middle, and farther out the more reflex
-// the corner at its end is.
+// cuts, which crosses the diagonal of a convex quad before its middle, and farther out the more reflex the
+// corner at its end is.
 constexpr std::array<double, 4> kCentreShares = {0.6, 0.75, 0.87, 0.95};
 
 class RingAround {
@@ -23,25 +27,30 @@ class RingAround {
   using Item = FaceId;
   struct Plan {
     SideId first;  // at the vertex that gets the ring
+    double cut;    // of kCuts
   };
 
-  RingAround(ConstraintTags tags, const NodedLines& lines) : tags_(tags), lines_(&lines), finder_(lines) {}
+  RingAround(ConstraintTags tags, const NodedLines& lines, const RingOptions& options)
+      : tags_(tags), lines_(&lines), finder_(lines), options_(options) {}
 
   bool propose(const Mesh& mesh, FaceId f, Cavity& cavity, Plan& plan) const {
     if (!mesh.alive(f) || mesh.corner_count(f) != 4 || matching::is_convex(mesh, f)) return false;
     const VertexId v = mesh.origin(opposite_of_worst_corner(mesh, f));
-    if (mesh.on_boundary(v)) return false;
-    Star star;
-    if (!star.gather(*this, mesh, v)) return false;
-    if (!star.mends(f) || star.invalid_after() > star.invalid_before(mesh)) return false;
+    if (options_.keep_boundary && mesh.on_boundary(v)) return false;
     plan.first = mesh.side_of(v);
+    Star star;
+    const auto mends = [&](double cut) {
+      plan.cut = cut;
+      star = Star();
+      return star.gather(*this, mesh, v, cut) && star.mends(f) &&
+             star.invalid_after() <= star.invalid_before(mesh);
+    };
+    if (std::none_of(kCuts.begin(), kCuts.end(), mends)) return false;
     cavity.claim(v);
-    for (std::size_t i = 0; i < star.count; ++i) {
-      cavity.claim(mesh.target(star.spokes[i].side));
-      cavity.claim(opposite(mesh, star.spokes[i].side));
-    }
-    const auto count = static_cast<std::uint32_t>(star.count);
-    cavity.will_create(2 * count, 2 * count);
+    for (std::size_t i = 0; i < star.spoke_count; ++i) cavity.claim(star.spokes[i].end);
+    for (std::size_t i = 0; i < star.count; ++i) cavity.claim(opposite(mesh, star.faces[i].side));
+    const auto created = static_cast<std::uint32_t>(star.spoke_count + star.count);
+    cavity.will_create(created, static_cast<std::uint32_t>(2 * star.count));
     return true;
   }
 
@@ -50,89 +59,101 @@ class RingAround {
     const Mesh& mesh = editor.mesh();
     const VertexId v = mesh.origin(plan.first);
     Star star;
-    (void)star.gather(*this, mesh, v);
-    std::array<VertexId, kMostFaces> middles, centres;
-    for (std::size_t i = 0; i < star.count; ++i) {
-      middles[i] = place(editor, ids, star.spokes[i].middle, star.spokes[i].support);
-      centres[i] = place(editor, ids, star.spokes[i].centre, Support::free());
-    }
+    (void)star.gather(*this, mesh, v, plan.cut);
+    std::array<VertexId, kMostFaces + 1> cuts;
+    std::array<VertexId, kMostFaces> centres;
+    for (std::size_t i = 0; i < star.spoke_count; ++i)
+      cuts[i] = place(editor, ids, star.spokes[i].cut, star.spokes[i].support);
+    for (std::size_t i = 0; i < star.count; ++i)
+      centres[i] = place(editor, ids, star.faces[i].centre, Support::free());
     std::array<FaceId, kMostFaces> old;
     std::array<FaceCorners, 3 * kMostFaces> fresh;
     for (std::size_t i = 0; i < star.count; ++i) {
-      const std::size_t next = (i + 1) % star.count;
-      const SideId s = star.spokes[i].side;
-      const VertexId far = opposite(mesh, s);
-      old[i] = s.face();
-      fresh[3 * i] = {v, middles[i], centres[i], middles[next]};
-      fresh[3 * i + 1] = {middles[i], mesh.target(s), far, centres[i]};
-      fresh[3 * i + 2] = {centres[i], far, mesh.target(star.spokes[next].side), middles[next]};
+      const std::size_t next = star.after(i);
+      const VertexId far = opposite(mesh, star.faces[i].side);
+      old[i] = star.faces[i].side.face();
+      fresh[3 * i] = {v, cuts[i], centres[i], cuts[next]};
+      fresh[3 * i + 1] = {cuts[i], star.spokes[i].end, far, centres[i]};
+      fresh[3 * i + 2] = {centres[i], far, star.spokes[next].end, cuts[next]};
     }
     thread_local FaceReplacer replacer;
     const auto slots = replacer.replace(editor, tags_, std::span(old).first(star.count),
                                         std::span(fresh).first(3 * star.count), ids);
-    constrain_halves(star, slots);
+    constrain_parts(star, slots);
   }
 
  private:
+  // An edge at the vertex that gets the ring.
   struct Spoke {
-    SideId side;  // from the vertex outwards
+    VertexId end;
+    Vec2 end_place, cut;
     bool constrained;
-    Support support;  // of its middle
-    Vec2 middle;
-    Vec2 centre{};  // of the quad to the left
+    Support support;  // of the cut
+  };
+  // A quad at it; its first spoke has the same number.
+  struct StarFace {
+    SideId side;  // from the vertex outwards
+    Vec2 far, centre;
   };
 
-  // The quads around a vertex, counter-clockwise, and what a ring would make of them.
+  // The quads around a vertex, counter-clockwise, and what a ring would make of them. On the boundary there
+  // is a spoke more than faces.
   struct Star {
     Vec2 here;
-    std::array<Spoke, kMostFaces> spokes;
-    std::array<Vec2, kMostFaces> ends, fars;
-    std::size_t count = 0;
+    std::array<Spoke, kMostFaces + 1> spokes;
+    std::array<StarFace, kMostFaces> faces;
+    std::size_t count = 0, spoke_count = 0;
 
     // False if there are too many faces or one is no quad.
-    bool gather(const RingAround& operation, const Mesh& mesh, VertexId v) {
+    bool gather(const RingAround& operation, const Mesh& mesh, VertexId v, double cut) {
       here = mesh.point(v);
       bool fits = true;
       for_each_side_around(mesh, v, [&](SideId s) {
         fits = fits && count < kMostFaces && mesh.corner_count(s.face()) == 4;
         if (!fits) return;
-        ends[count] = mesh.point(mesh.target(s));
-        fars[count] = mesh.point(opposite(mesh, s));
-        spokes[count++] = operation.spoke_of(mesh, s);
+        spokes[count] = operation.spoke_of(mesh, s, v, cut);
+        faces[count++] = {s, mesh.point(opposite(mesh, s)), {}};
       });
-      for (std::size_t i = 0; fits && i < count; ++i) place_centre(i);
-      return fits;
+      if (!fits) return false;
+      spoke_count = count;
+      if (mesh.on_boundary(v))
+        spokes[spoke_count++] = operation.spoke_of(mesh, mesh.previous(faces[count - 1].side), v, cut);
+      for (std::size_t i = 0; i < count; ++i) place_centre(i);
+      return true;
     }
+    // The spoke after a face.
+    [[nodiscard]] std::size_t after(std::size_t i) const { return i + 1 < spoke_count ? i + 1 : 0; }
     // The first place that makes all parts of the quad valid, or that with which the fewest are not.
     void place_centre(std::size_t i) {
       Vec2 best;
       int fewest = 4;
       for (const double share : kCentreShares) {
-        spokes[i].centre = here + share * (fars[i] - here);
+        faces[i].centre = here + share * (faces[i].far - here);
         const int invalid = invalid_parts(i);
         if (invalid >= fewest) continue;
         fewest = invalid;
-        best = spokes[i].centre;
+        best = faces[i].centre;
       }
-      spokes[i].centre = best;
+      faces[i].centre = best;
     }
     // Of the three parts of one quad.
     [[nodiscard]] int invalid_parts(std::size_t i) const {
-      const std::size_t next = (i + 1) % count;
-      const Vec2 middle = spokes[i].middle, centre = spokes[i].centre, other = spokes[next].middle;
-      return (matching::is_convex({here, middle, centre, other}) ? 0 : 1) +
-             (matching::is_convex({middle, ends[i], fars[i], centre}) ? 0 : 1) +
-             (matching::is_convex({centre, fars[i], ends[next], other}) ? 0 : 1);
+      const auto& [side, far, centre] = faces[i];
+      const Spoke& one = spokes[i];
+      const Spoke& other = spokes[after(i)];
+      return (matching::is_convex({here, one.cut, centre, other.cut}) ? 0 : 1) +
+             (matching::is_convex({one.cut, one.end_place, far, centre}) ? 0 : 1) +
+             (matching::is_convex({centre, far, other.end_place, other.cut}) ? 0 : 1);
     }
     [[nodiscard]] int invalid_before(const Mesh& mesh) const {
       int sum = 0;
-      for (std::size_t i = 0; i < count; ++i) sum += matching::is_convex(mesh, spokes[i].side.face()) ? 0 : 1;
+      for (std::size_t i = 0; i < count; ++i) sum += matching::is_convex(mesh, faces[i].side.face()) ? 0 : 1;
       return sum;
     }
     // True if all parts of the face are valid.
     [[nodiscard]] bool mends(FaceId f) const {
       for (std::size_t i = 0; i < count; ++i)
-        if (spokes[i].side.face() == f) return invalid_parts(i) == 0;
+        if (faces[i].side.face() == f) return invalid_parts(i) == 0;
       return false;
     }
     [[nodiscard]] int invalid_after() const {
@@ -160,15 +181,17 @@ class RingAround {
     return mesh.next(mesh.next(worst));
   }
 
-  [[nodiscard]] Spoke spoke_of(const Mesh& mesh, SideId s) const {
-    const Vec2 a = mesh.point(mesh.origin(s));
-    const Vec2 b = mesh.point(mesh.target(s));
-    Spoke spoke{s, tags_.constrained(s), Support::free(), midpoint(a, b)};
+  // Of the side that joins the vertex to another, seen from either face.
+  [[nodiscard]] Spoke spoke_of(const Mesh& mesh, SideId s, VertexId v, double cut) const {
+    const VertexId end = mesh.origin(s) == v ? mesh.target(s) : mesh.origin(s);
+    const Vec2 here = mesh.point(v);
+    const Vec2 there = mesh.point(end);
+    Spoke spoke{end, there, here + cut * (there - here), tags_.constrained(s), Support::free()};
     if (!spoke.constrained) return spoke;
-    const PieceId id = finder_.under_edge(tags_.support[mesh.origin(s)], tags_.support[mesh.target(s)]);
+    const PieceId id = finder_.under_edge(tags_.support[v], tags_.support[end]);
     const Piece& piece = lines_->pieces[id];
     spoke.support = Support::on(id);
-    spoke.middle = closest_point(spoke.middle, lines_->nodes[piece.from], lines_->nodes[piece.to]);
+    spoke.cut = closest_point(spoke.cut, lines_->nodes[piece.from], lines_->nodes[piece.to]);
     return spoke;
   }
 
@@ -179,29 +202,33 @@ class RingAround {
     return v;
   }
 
-  // Both halves of a constrained spoke, seen from both sides: in the quads of its own face and of the one
+  // Both parts of a constrained spoke, seen from both sides: in the quads of the face after it and of the one
   // before.
-  void constrain_halves(const Star& star, std::span<const FaceId> slots) const {
+  void constrain_parts(const Star& star, std::span<const FaceId> slots) const {
     ConstraintTags tags = tags_;
     for (std::size_t i = 0; i < star.count; ++i) {
-      if (!star.spokes[i].constrained) continue;
-      const std::size_t before = (i + star.count - 1) % star.count;
-      tags.set_constrained(SideId(slots[3 * i], 0), true);
-      tags.set_constrained(SideId(slots[3 * before], 3), true);
-      tags.set_constrained(SideId(slots[3 * i + 1], 0), true);
-      tags.set_constrained(SideId(slots[3 * before + 2], 2), true);
+      if (star.spokes[i].constrained) {
+        tags.set_constrained(SideId(slots[3 * i], 0), true);
+        tags.set_constrained(SideId(slots[3 * i + 1], 0), true);
+      }
+      if (star.spokes[star.after(i)].constrained) {
+        tags.set_constrained(SideId(slots[3 * i], 3), true);
+        tags.set_constrained(SideId(slots[3 * i + 2], 2), true);
+      }
     }
   }
 
   ConstraintTags tags_;
   const NodedLines* lines_;
   PieceFinder finder_;
+  RingOptions options_;
 };
 
 }  // namespace
 
-PassReport ring_straight_corners(Mesh& mesh, const NodedLines& lines, const Progress& progress) {
-  const RingAround operation(ConstraintTags::of(mesh), lines);
+PassReport ring_straight_corners(Mesh& mesh, const NodedLines& lines, const RingOptions& options,
+                                 const Progress& progress) {
+  const RingAround operation(ConstraintTags::of(mesh), lines, options);
   const auto invalid = parallel::filter_indices(mesh.face_slots(), [&](std::size_t i) {
     return mesh.alive(FaceId(i)) && !matching::is_convex(mesh, FaceId(i));
   });

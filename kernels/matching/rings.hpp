@@ -1,7 +1,7 @@
 // Puts a ring of quads around the vertex that lies opposite a straight or reflex corner: every edge at that
-// vertex is halved, and every quad around it becomes three. The straight corner gets a second quad, whatever
-// its surroundings are; so this mends what is left of forced merges, at the price of two more quads for each
-// quad around the vertex, and of constrained edges being halved.
+// vertex is cut in two, and every quad around it becomes three. The straight corner gets a second quad,
+// whatever its surroundings are; so this mends what is left of forced merges, at the price of two more quads
+// for each quad around the vertex, and of constrained edges being cut.
 #pragma once
 
 #include "engine/base/progress.hpp"
@@ -11,12 +11,18 @@
 
 namespace quarry {
 
+struct RingOptions {
+  // No boundary edge may be cut: vertices on the boundary then get no ring.
+  bool keep_boundary = false;
+};
+
 // Tries each quad of a planar quad mesh (with ConstraintTags) that is not strictly convex. A ring is made if
-// all parts of the quad are and no more quads are not than before (exact), around vertices that are not on
-// the boundary; what it moves elsewhere the next call may mend. With the centre of each quad on its diagonal
-// from the ringed vertex, convex quads give convex quads: the parts on both sides of the diagonal beyond the
-// line through the two midpoints. New vertices on constrained edges slide on their piece, all others are
-// free. Smooth afterwards.
-PassReport ring_straight_corners(Mesh& mesh, const NodedLines& lines, const Progress& progress);
+// all parts of the quad are and no more quads are not than before (exact); what it moves elsewhere the next
+// call may mend. Edges are cut in the middle, or nearer to the ringed vertex. With the centre of each quad on
+// its diagonal from there, convex quads give convex quads: the parts on both sides of the diagonal beyond the
+// line through the two cuts. New vertices on constrained edges slide on their piece, all others are free.
+// Smooth afterwards.
+PassReport ring_straight_corners(Mesh& mesh, const NodedLines& lines, const RingOptions& options,
+                                 const Progress& progress);
 
 }  // namespace quarry

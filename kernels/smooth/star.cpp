@@ -14,8 +14,8 @@ double signed_square(double area, double lengths) {
   return lengths > 0 ? area * std::abs(area) / lengths : -1.0;
 }
 
-// Four edges s, s, 4.9s, 4.9s have r = 0.16, see Star; no four edges within that ratio have less.
-constexpr double kFree = 0.16;
+// Four edges s, s, 4.9s, 4.9s have r = 1 / 144.6, see Star; no four edges within that ratio have less.
+constexpr double kFree = 1 / 145.0;
 constexpr double kFreeRatio = 4.9;
 
 // The shortest and the longest edge of a face, squared.
@@ -35,11 +35,14 @@ bool has_free_aspect(const StarFace& face, double oo, double bb) {
 // What the aspect of a quad adds to 1 / sine^2.
 double aspect_cost(const StarFace& face, double oo, double bb) {
   if (has_free_aspect(face, oo, bb)) return 0.0;
-  const double far_sum = face.far_next_squared + face.far_previous_squared;
-  const double far_product = face.far_next_squared * face.far_previous_squared;
-  const double inverses = (oo + bb) / (oo * bb) + far_sum / far_product;
-  const double ratio = kFree * inverses * (oo + bb + far_sum) / 16.0;
-  return std::max(0.0, ratio * ratio * ratio - 1);
+  const double out = oo * oo;  // fourth powers
+  const double back = bb * bb;
+  const double far_next = face.far_next_squared * face.far_next_squared;
+  const double far_previous = face.far_previous_squared * face.far_previous_squared;
+  const double far_sum = far_next + far_previous;
+  const double inverses = (out + back) / (out * back) + far_sum / (far_next * far_previous);
+  const double ratio = kFree * inverses * (out + back + far_sum) / 16.0;
+  return std::max(0.0, ratio * ratio - 1);
 }
 
 double measure_quad(const StarFace& face, Vec2 out, Vec2 back) {

@@ -30,11 +30,12 @@ struct StarFace {
 //   quad      1 / (1 / sin^2 + a) of its smallest corner sine, and sin |sin| where that is not positive. a is
 //   an
 //             aspect guard: what a scaled Jacobian lacks, which is blind to edges that shrink to nothing.
-//             With r the harmonic by the arithmetic mean of the squared edges a = max(0, (0.16 / r)^3 - 1):
-//             nothing up to 4.9 times as long as wide, 17 at eight times, where a rectangle counts like a
-//             square corner of sine 0.23. Costs that add up let a wedge whose tip no move can help still
-//             trade length for angles. Means in place of extremes let each end of a short or a long edge help
-//             alone.
+//             With r the harmonic by the arithmetic mean of the fourth powers of the edges
+//             a = max(0, (1 / 145 r)^2 - 1): nothing up to 4.9 times as long as wide, 49 at eight times,
+//             where a rectangle counts like a square corner of sine 0.14. Costs that add up let a wedge whose
+//             tip no move can help still trade length for angles. Means in place of extremes let each end of
+//             a short or a long edge help alone; of squares they would not see one short edge beside three
+//             long ones up to a ratio of seven.
 //   triangle  the signed square of Lo's measure.
 // Both lie in [-1, 1]; a square and an equilateral triangle have 1.
 class Star {

@@ -176,5 +176,23 @@ TEST(OptimiseCorners, OpensAThinRowFromEitherSideOfIt) {
     EXPECT_LT(measure_face(mesh, f, [](auto... corners) { return edge_ratio(corners...); }), 6);
 }
 
+TEST(OptimiseCorners, LengthensTheOneShortEdgeOfAQuadThatFillsAWedge) {
+  // Only the end of the short edge that lies on a side of the wedge may move; no angle gains by it.
+  const std::vector<FaceCorners> faces = {{VertexId(0U), VertexId(1U), VertexId(2U), VertexId(3U)}};
+  Mesh mesh = build_mesh({0, 1.276, 2.113, 1.970}, {0, 0, 0.779, 1.047}, faces);
+  const auto ratio = [&] {
+    return measure_face(mesh, FaceId(0U), [](auto... corners) { return edge_ratio(corners...); });
+  };
+  ASSERT_GT(ratio(), 7);
+  ConstraintTags tags = ConstraintTags::add_to(mesh);
+  NodedLines lines;
+  for (const VertexId v : mesh.vertices()) tags.support[v] = Support::fixed();
+  const NodeId tip = lines.nodes.push_back({0, 0});
+  const NodeId end = lines.nodes.push_back({3.94, 2.094});
+  tags.support[VertexId(3U)] = Support::on(lines.pieces.push_back({tip, end, PieceKindOf::kOutline}));
+  optimise_corners(mesh, lines, {.sweeps = 20}, Progress());
+  EXPECT_LT(ratio(), 6);
+}
+
 }  // namespace
 }  // namespace quarry

@@ -174,7 +174,7 @@ TEST(MixedElements, AloneHaveAQuality) {
 
 TEST(Annealing, IsToldInTheReportAndNeedsMatching) {
   const TestFolder folder;
-  ASSERT_EQ(run_quarry({"mesh", kDemoSection, "-o", folder / "out.vtu", "--size", "22", "--quads", "matching",
+  ASSERT_EQ(run_quarry({"mesh", kDemoSection, "-o", folder / "out.vtu", "--size", "20", "--quads", "matching",
                         "--anneal", "10", "--report", folder / "r.json"})
                 .exit_code,
             0);

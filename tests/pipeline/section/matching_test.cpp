@@ -94,6 +94,15 @@ TEST(SectionMatching, EndsInValidQuadsOrSaysWhereNot) {
   EXPECT_GE(valid, 10);
 }
 
+TEST(SectionMatching, EndsInValidQuadsWhereForcedMergesLieInWedgesAtTheOutline) {
+  for (const double size : {20.0, 40.0, 42.0, 43.0, 50.0}) {
+    SCOPED_TRACE(fmt::format("size {}", size));
+    const SectionResult result = mesh_section(matching_options("tests/data/demo_section.geojson", size), {});
+    EXPECT_EQ(validate(result.mesh, GeometryCheck::kPlanarCorners), "");
+    for (const FaceId f : result.mesh.faces()) ASSERT_EQ(result.mesh.corner_count(f), 4);
+  }
+}
+
 TEST(SectionMatching, AnnealingLeavesFewerSteinerPoints) {
   std::uint64_t without = 0, annealed = 0;
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
