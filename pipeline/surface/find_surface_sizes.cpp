@@ -37,11 +37,11 @@ void fit(const SurfaceSizes& sizes, double wanted, double low, double high, cons
 }  // namespace
 
 SurfaceSizes find_surface_sizes(const Mesh& mesh, const SurfaceOptions& options, double edge, double size,
-                                double area) {
+                                double area, const Progress& progress) {
   DetailOptions details;
   details.edge = edge;
   const ConstraintTags tags = ConstraintTags::of(mesh);
-  std::vector<double> most = detail_sizes(mesh, tags, details);
+  std::vector<double> most = detail_sizes(mesh, tags, details, progress);
   if (options.curvature) {
     // A triangle that is cut into quads is as much longer as its edge is than the size.
     const double longer = edge / size;

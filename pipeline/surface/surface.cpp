@@ -91,7 +91,7 @@ class SurfaceJob {
     const ConstraintTags tags = bind_features(elements, network);
     const SurfaceModel model(elements, tags);
     clock_.start("finding sizes");
-    const SurfaceSizes sizes = find_surface_sizes(elements, options_, edge, result_.size, area_);
+    const SurfaceSizes sizes = find_surface_sizes(elements, options_, edge, result_.size, area_, progress_);
     if (!make_elements({model, network, sizes, area_}, options_, result_, clock_, progress_)) return false;
     clock_.start("finishing");
     require_valid_on_surface(elements, model);
