@@ -140,6 +140,20 @@ TEST(SurfaceSizes, GrowAwayFromWhatLimitsThem) {
   }
 }
 
+TEST(SurfaceSizes, AreSmallAboutTightPlacesHoweverLenient) {
+  const Mesh mesh = mesh_of(test::cube());
+  const std::vector<double> most(8, std::numeric_limits<double>::infinity());
+  const Vec3 place{0.5, 0.5, 1};
+  SurfaceSizes sizes(mesh, most, 0.5, 1, {{place, 0.01}});
+  EXPECT_FALSE(sizes.uniform());
+  sizes.set_leniency(16);
+  const SurfacePoint there{place, TriangleId(std::uint32_t{0}), {1, 0, 0}, 0};
+  const SurfacePoint beside{place + Vec3{0.1, 0, 0}, TriangleId(std::uint32_t{0}), {1, 0, 0}, 0};
+  EXPECT_EQ(sizes.at(there), 0.01);
+  EXPECT_NEAR(sizes.at(beside), 0.06, 1e-12);
+  EXPECT_NEAR(sizes.times(2).at(there), 0.02, 1e-12);
+}
+
 TEST(SurfaceSizes, GrowWithinLargeTrianglesToo) {
   const Mesh mesh = mesh_of(test::cube());
   std::vector<double> most(8, std::numeric_limits<double>::infinity());
