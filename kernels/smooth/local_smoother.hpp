@@ -24,6 +24,9 @@ struct LocalShapeOptions {
   static constexpr int kAllAlike = -1;
   int area_averages = kAllAlike;
   ShapeTarget target = {};
+  // Moves shorter than this share of the edges at the vertex are not worth the look at the faces. A vertex
+  // that has none left sleeps until something moves in its star.
+  double smallest_move = 1e-3;
 };
 
 // Works on a copy of the region, which each sweep reads in order, and writes the places back at the end. One
@@ -66,10 +69,12 @@ class LocalSmoother {
   [[nodiscard]] bool all_valid() const;
   [[nodiscard]] double quality(const FaceNumbers& face) const;
   [[nodiscard]] double quality_in_space(const FaceNumbers& face, const Point& first) const;
-  // One visit to every vertex; how many of them moved. regularisation: eps as a
+  // One visit to every vertex that is awake; how many of them moved. regularisation: eps as a
   // share of the wanted area, 0 once untangled.
   std::size_t sweep(double regularisation);
   std::size_t move_all(std::span<const std::uint32_t> members, double regularisation);
+  // A visit: what was looked at in vain sleeps until something moves in its star. It would stay where it is.
+  bool visit(std::uint32_t i, double regularisation, ShapeStar& star);
   bool move(std::uint32_t i, double regularisation, ShapeStar& star);
   // True if no corner that turns left now is turned over with the vertex at the target.
   [[nodiscard]] bool keeps_valid(std::uint32_t i, const Point& target) const;
@@ -92,7 +97,9 @@ class LocalSmoother {
   std::vector<StarCorner> corners_;
   std::vector<FaceNumbers> faces_;                   // each face once
   std::vector<std::vector<std::uint32_t>> classes_;  // of large sets: no two of a class share a face
+  std::vector<std::uint8_t> awake_;                  // by movable vertex
   ShapeStar star_;                                   // with the target of this run
+  double smallest_move_ = 0;                         // of this run
   double area_ = 1;                                  // wanted, of a quad
   std::vector<double> areas_;                        // the same by movable vertex, if they are to differ
 };

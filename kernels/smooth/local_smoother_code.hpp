@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <bit>
 #include <cassert>
 #include <cmath>
@@ -22,8 +23,6 @@ inline constexpr std::size_t kSmoothChunk = 256;
 // How far to go along each Newton step: successive over-relaxation. On blocks of 9 to 1,521 vertices flat
 // ones settle soonest at 1.7 and bent ones at 2.1.
 inline constexpr double kRelaxation = 1.9;
-// Moves shorter than this share of the edges at the vertex are not worth the look at the faces.
-inline constexpr double kSmallestMove = 1e-3;
 // The reach of one step, as a share of the edges at the vertex.
 inline constexpr double kReach = 0.6;
 inline constexpr int kAttempts = 5;
@@ -51,7 +50,9 @@ double LocalSmoother<Model>::run(MeshEditor& editor, std::span<const VertexId> m
   areas_.clear();
   if (options.area_averages != LocalShapeOptions::kAllAlike) find_areas(options.area_averages);
   star_ = ShapeStar(options.target);
+  smallest_move_ = options.smallest_move;
   if (movable.size() >= kParallel) colour();
+  awake_.assign(movable.size(), 1);
   bool valid = all_valid();
   double regularisation = local_smoother::kFirstRegularisation;
   for (int i = 0; i < options.untangling_sweeps && !valid; ++i) {
@@ -60,6 +61,7 @@ double LocalSmoother<Model>::run(MeshEditor& editor, std::span<const VertexId> m
         std::max(local_smoother::kShrinkage * regularisation, local_smoother::kLastRegularisation);
     valid = all_valid();
   }
+  awake_.assign(movable.size(), 1);
   for (int i = 0; i < options.sweeps; ++i)
     if (sweep(0) == 0) break;
   for (std::size_t i = 0; i < movable.size(); ++i) set_place(editor, movable[i], points_[i]);
@@ -227,7 +229,7 @@ template <GeometryModel Model>
 std::size_t LocalSmoother<Model>::sweep(double regularisation) {
   if (classes_.empty()) {
     std::size_t moved = 0;
-    for (std::uint32_t i = 0; i + 1 < begin_.size(); ++i) moved += move(i, regularisation, star_) ? 1 : 0;
+    for (std::uint32_t i = 0; i + 1 < begin_.size(); ++i) moved += visit(i, regularisation, star_) ? 1 : 0;
     return moved;
   }
   std::size_t moved = 0;
@@ -244,10 +246,28 @@ std::size_t LocalSmoother<Model>::move_all(std::span<const std::uint32_t> member
       [&](std::size_t begin, std::size_t end) {
         ShapeStar star = star_;
         std::size_t moved = 0;
-        for (std::size_t k = begin; k < end; ++k) moved += move(members[k], regularisation, star) ? 1 : 0;
+        for (std::size_t k = begin; k < end; ++k) moved += visit(members[k], regularisation, star) ? 1 : 0;
         return moved;
       },
       [](std::size_t a, std::size_t b) { return a + b; }, local_smoother::kSmoothChunk);
+}
+
+template <GeometryModel Model>
+bool LocalSmoother<Model>::visit(std::uint32_t i, double regularisation, ShapeStar& star) {
+  if (awake_[i] == 0) return false;
+  const bool moved = move(i, regularisation, star);
+  // While the regularisation changes from sweep to sweep nobody sleeps.
+  awake_[i] = moved || regularisation > 0 ? 1 : 0;
+  if (!moved) return false;
+  // Mates are of other classes; several threads may wake the same one.
+  const auto wake = [&](std::uint32_t mate) {
+    if (mate < awake_.size()) std::atomic_ref(awake_[mate]).store(1, std::memory_order_relaxed);
+  };
+  for (const StarCorner& corner : star_of(i)) {
+    wake(corner.next);
+    wake(corner.opposite);
+  }
+  return true;
 }
 
 template <GeometryModel Model>
@@ -275,8 +295,7 @@ bool LocalSmoother<Model>::move(std::uint32_t i, double regularisation, ShapeSta
   if (squared_length(step) > local_smoother::kReach * local_smoother::kReach * edge)
     step = (local_smoother::kReach * std::sqrt(edge / squared_length(step))) * step;
   for (int attempt = 0; attempt < local_smoother::kAttempts; ++attempt, step = 0.5 * step) {
-    if (!(squared_length(step) > local_smoother::kSmallestMove * local_smoother::kSmallestMove * edge))
-      return false;
+    if (!(squared_length(step) > smallest_move_ * smallest_move_ * edge)) return false;
     const Point target = model_->project(frame.at(step));
     // What lies farther from where the step led than the step was long is another sheet, or round an edge.
     if (kInSpace && squared_length(frame.relative(target) - step) > squared_length(step)) continue;

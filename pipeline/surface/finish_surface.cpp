@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <map>
 
-#include <fmt/format.h>
-
-#include "engine/base/error.hpp"
 #include "engine/mesh/compact.hpp"
 #include "engine/mesh/constraint.hpp"
 #include "engine/mesh/pinch.hpp"
@@ -39,19 +36,14 @@ std::int32_t number_of(const CurveNetwork& network, PieceId curve, std::size_t l
 
 }  // namespace
 
-void require_valid_on_surface(const Mesh& mesh, const SurfaceModel& model) {
-  const auto bad = parallel::filter_indices(mesh.face_slots(), [&](std::size_t i) {
-    const FaceId f(i);
-    return mesh.alive(f) && (!(scaled_jacobian(mesh, f) > kFlat) || lies_upside_down(mesh, model, f));
-  });
-  if (bad.empty()) return;
-  const Vec3 p = mesh.point3(mesh.corner(FaceId(bad.front()), 0));
-  throw Error(
-      ErrorKind::kGeometry,
-      fmt::format("{} elements are inverted, flat or upside down, the first at ({:.9g}, {:.9g}, {:.9g}): "
-                  "the surface has details or "
-                  "walls smaller than the elements there; take a smaller --size",
-                  bad.size(), p.x, p.y, p.z));
+std::vector<FaceId> find_invalid_on_surface(const Mesh& mesh, const SurfaceModel& model) {
+  std::vector<FaceId> bad;
+  for (const std::uint32_t i : parallel::filter_indices(mesh.face_slots(), [&](std::size_t i) {
+         const FaceId f(i);
+         return mesh.alive(f) && (!(scaled_jacobian(mesh, f) > kFlat) || lies_upside_down(mesh, model, f));
+       }))
+    bad.emplace_back(i);
+  return bad;
 }
 
 void set_surface_regions(Mesh& mesh, const std::vector<std::int32_t>& groups, const SurfaceModel& model) {

@@ -33,6 +33,11 @@ constexpr double kImprintStep = 0.5;
 constexpr double kDefaultSnap = 0.05;
 constexpr double kImprintReach = 1;
 
+// How often a job is done with ever smaller elements where some were invalid. With more of them than that it
+// is no matter of single places.
+constexpr int kMostAttempts = 4;
+constexpr std::size_t kMostInvalid = 24;
+
 class SurfaceJob {
  public:
   SurfaceJob(const SurfaceOptions& options, const Progress& progress)
@@ -46,7 +51,7 @@ class SurfaceJob {
     find_size(repaired.surface);
     result_.repaired = repaired.surface;
     choose_method(repaired);
-    if (result_.method == SurfaceQuads::kCluster || !follow_field(repaired)) mesh(repaired);
+    if (result_.method == SurfaceQuads::kCluster || !follow_field(repaired)) mesh_validly(repaired);
     result_.repair = std::move(repaired.report);
     clock_.stop();
     result_.times = clock_.times();
@@ -57,7 +62,7 @@ class SurfaceJob {
   // False, with a note why, if quads have to be made in the other way, as if nothing else had been tried.
   bool follow_field(const RepairedSurface& repaired) {
     try {
-      if (mesh(repaired)) return true;
+      if (mesh_validly(repaired)) return true;
       note_clusters("features or walls lie nearer to one another than two elements in many places");
     } catch (const Error& error) {
       if (error.kind() != ErrorKind::kGeometry) throw;
@@ -70,7 +75,47 @@ class SurfaceJob {
     result_.notes.push_back(std::string(why) + ": quads are made as by --quads cluster");
   }
 
-  // By the method of the result; false if that cannot be had.
+  // By the method of the result; false if that cannot be had. Where elements come out inverted or upside down
+  // it is done anew with smaller ones there, and less coarse ones at all details: they were too large for
+  // them.
+  bool mesh_validly(const RepairedSurface& repaired) {
+    tight_.clear();
+    strictness_ = 1;
+    for (int attempt = 1;; ++attempt) {
+      if (!mesh(repaired)) return false;
+      if (invalid_.empty()) break;
+      if (attempt == kMostAttempts || invalid_.size() > kMostInvalid) refuse_invalid();
+      tight_.insert(tight_.end(), invalid_.begin(), invalid_.end());
+      strictness_ *= 2;
+    }
+    if (!tight_.empty())
+      result_.notes.push_back(fmt::format(
+          "elements are smaller at {} places where some had been inverted or upside down", tight_.size()));
+    return true;
+  }
+
+  [[noreturn]] void refuse_invalid() const {
+    const Vec3 p = invalid_.front().place;
+    throw Error(
+        ErrorKind::kGeometry,
+        fmt::format("{} elements are inverted, flat or upside down, the first at ({:.9g}, {:.9g}, "
+                    "{:.9g}): the surface has details, walls or strips between features smaller than the "
+                    "elements there, or runs through itself; take a smaller --size",
+                    invalid_.size(), p.x, p.y, p.z));
+  }
+
+  // Where faces are invalid, and half the edge that they began with.
+  void find_invalid(const SurfaceModel& model, const SurfaceSizes& sizes) {
+    invalid_.clear();
+    const Mesh& mesh = result_.mesh;
+    for (const FaceId f : find_invalid_on_surface(mesh, model)) {
+      const Vec3 p = 0.5 * (mesh.point3(mesh.corner(f, 0)) + mesh.point3(mesh.corner(f, 2)));
+      invalid_.push_back({p, 0.5 * sizes.at(model.nearest({p, Vec3()}))});
+    }
+  }
+
+  // By the method of the result, with smaller elements at tight places; tells which ones are invalid. False
+  // if the method cannot be had.
   bool mesh(RepairedSurface repaired) {
     const double edge = first_edge(options_.elements, result_.method) * result_.size;
     const RemeshOptions remesh;
@@ -91,10 +136,13 @@ class SurfaceJob {
     const ConstraintTags tags = bind_features(elements, network);
     const SurfaceModel model(elements, tags);
     clock_.start("finding sizes");
-    const SurfaceSizes sizes = find_surface_sizes(elements, options_, edge, result_.size, area_);
+    SizeDemands demands{.edge = edge, .size = result_.size, .area = area_, .tight = tight_};
+    demands.most_lenient /= strictness_;
+    const SurfaceSizes sizes = find_surface_sizes(elements, options_, demands, progress_);
     if (!make_elements({model, network, sizes, area_}, options_, result_, clock_, progress_)) return false;
     clock_.start("finishing");
-    require_valid_on_surface(elements, model);
+    find_invalid(model, sizes);
+    if (!invalid_.empty()) return true;
     set_surface_regions(elements, repaired.surface.groups, model);
     finish_surface_mesh(elements, network, result_.lines);
     return true;
@@ -162,6 +210,10 @@ class SurfaceJob {
   const Progress& progress_;
   StageClock clock_;
   double area_ = 0;  // of the repaired surface
+  // Of an attempt: how much less lenient it is than the first one, where elements are to be smaller, and
+  // where they came out invalid.
+  double strictness_ = 1;
+  std::vector<TightPlace> tight_, invalid_;
   SurfaceResult result_;
 };
 

@@ -78,6 +78,7 @@ class SurfaceQuads {
     patches.wanted_faces = options_.wanted_faces > 0 ? options_.wanted_faces : mesh_.count_alive_faces();
     patches.most_growth = patches.most_shrinkage = kCountTolerance;
     patches.longest_edge = options_.longest_edge;
+    patches.smoothing.smallest_move = options_.smallest_move;
     PatchMemory memory;
     for (std::size_t i = 0; i < classes.size(); ++i) {
       progress_.report("clean-up", static_cast<double>(i + 1) / static_cast<double>(classes.size() + 1));
@@ -121,7 +122,8 @@ class SurfaceQuads {
                    {.untangling_sweeps = 0,
                     .sweeps = sweeps,
                     .area_averages = options_.graded ? kAreaAverages : LocalShapeOptions::kAllAlike,
-                    .target = options_.target});
+                    .target = options_.target,
+                    .smallest_move = options_.smallest_move});
     });
   }
 

@@ -47,7 +47,9 @@ class MovingStar {
       const Vec3 n = unit_normal(target, c.points[1], c.points[2]);
       const Vec3 before = unit_normal(place_, c.points[1], c.points[2]);
       return !(n == Vec3()) && guard_.agrees(n, normal) && guard_.agrees(n, before) &&
-             guard_.agrees(n, state_->normals[c.ids[1]]) && guard_.agrees(n, state_->normals[c.ids[2]]);
+             guard_.agrees(n, state_->normals[c.ids[1]]) && guard_.agrees(n, state_->normals[c.ids[2]]) &&
+             (!(normal == Vec3()) || guard_.knows(std::array{c.ids[1], c.ids[2]}) ||
+              guard_.faces_along_surface(n, {target, c.points[1], c.points[2]}));
     });
   }
 

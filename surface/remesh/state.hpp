@@ -35,7 +35,7 @@ struct RemeshState {
   double scale =
       1;  // of all wanted edges; changes from round to round, until the number of triangles is right
 
-  [[nodiscard]] TriangleGuard guard() const { return {normals, options.least_turn_cosine}; }
+  [[nodiscard]] TriangleGuard guard() const { return {model, normals, options.least_turn_cosine}; }
   [[nodiscard]] Vec3 point(VertexId v) const { return mesh.point3(v); }
   [[nodiscard]] double wanted_edge(VertexId v) const { return scale * wanted[v]; }
   [[nodiscard]] double wanted_edge(VertexId a, VertexId b) const {

@@ -8,11 +8,15 @@
 
 #include "engine/parallel/parallel.hpp"
 #include "engine/parallel/scratch_pool.hpp"
+#include "kernels/local/star.hpp"
 
 namespace quarry {
 namespace {
 
 constexpr double kStep = 0.70710678118654752;  // from one size that is tried to the next
+// How far apart places are looked at, in radii of the balls that are looked at.
+constexpr double kSampleShare = 0.25;
+constexpr std::size_t kSampleChunk = 256;
 
 // The triangles around one vertex after the other; one a thread.
 class BallSearch {
@@ -65,24 +69,80 @@ class BallSearch {
   std::vector<FaceId> list_;
 };
 
+// One sample for each place of a given width: balls that are much wider tell the same of all vertices there,
+// and one by one they would be looked at for ever where triangles are small.
+class Cover {
+ public:
+  Cover(const Mesh& mesh, const ConstraintTags& tags)
+      : mesh_(mesh), tags_(tags), sample_of_(mesh.vertex_slots()), seen_(mesh.vertex_slots(), 0) {}
+
+  // The vertices in their order, each with its own place unless an earlier one is near, along free vertices
+  // and by straight distance.
+  const std::vector<VertexId>& build(const std::vector<VertexId>& vertices, double width) {
+    samples_.clear();
+    for (const VertexId v : vertices) sample_of_[v.value()] = kNone;
+    for (const VertexId v : vertices)
+      if (sample_of_[v.value()] == kNone) spread(v, width);
+    return samples_;
+  }
+  [[nodiscard]] std::size_t sample_of(VertexId v) const { return sample_of_[v.value()]; }
+
+ private:
+  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+  void spread(VertexId center, double width) {
+    const auto number = static_cast<std::uint32_t>(samples_.size());
+    samples_.push_back(center);
+    ++stamp_;
+    list_.assign(1, center);
+    seen_[center.value()] = stamp_;
+    const Vec3 middle = mesh_.point3(center);
+    for (std::size_t i = 0; i < list_.size(); ++i) {
+      std::uint32_t& sample = sample_of_[list_[i].value()];
+      sample = std::min(sample, number);
+      for_each_link_vertex(mesh_, list_[i], [&](VertexId w) {
+        if (seen_[w.value()] == stamp_ || !tags_.support[w].is_free()) return;
+        if (!(length(mesh_.point3(w) - middle) < width)) return;
+        seen_[w.value()] = stamp_;
+        list_.push_back(w);
+      });
+    }
+  }
+
+  const Mesh& mesh_;
+  const ConstraintTags& tags_;
+  std::vector<VertexId> samples_;
+  std::vector<std::uint32_t> sample_of_;  // by vertex; kNone of those that have none yet
+  std::vector<std::uint32_t> seen_;
+  std::uint32_t stamp_ = 0;
+  std::vector<VertexId> list_;
+};
+
 }  // namespace
 
 std::vector<double> detail_sizes(const Mesh& triangles, const ConstraintTags& tags,
-                                 const DetailOptions& options) {
+                                 const DetailOptions& options, const Progress& progress) {
   std::vector<double> sizes(triangles.vertex_slots(), std::numeric_limits<double>::infinity());
+  // At a feature several parts of the surface meet; the vertices beside it speak for them.
+  std::vector<VertexId> pending;
+  for (const VertexId v : triangles.vertices())
+    if (triangles.alive(v) && tags.support[v].is_free()) pending.push_back(v);
   ScratchPool<BallSearch> pool([&] { return std::make_unique<BallSearch>(triangles, tags); });
-  parallel::for_each_chunk(sizes.size(), parallel::kChunk, [&](std::size_t begin, std::size_t end) {
-    const ScratchPool<BallSearch>::Loan search(pool);
-    for (std::size_t i = begin; i < end; ++i) {
-      const VertexId v(i);
-      // At a feature several parts of the surface meet; the vertices beside it speak for them.
-      if (!triangles.alive(v) || !tags.support[v].is_free()) continue;
-      for (double share = 1; share >= options.smallest; share *= kStep) {
-        if (search->sum_share(v, options.reach * share * options.edge) >= options.least_sum) break;
-        sizes[i] = std::max(options.smallest, kStep * share) * options.edge;
-      }
-    }
-  });
+  Cover cover(triangles, tags);
+  for (double share = 1; share >= options.smallest && !pending.empty(); share *= kStep) {
+    progress.throw_if_cancelled();
+    const double radius = options.reach * share * options.edge;
+    const std::vector<VertexId>& samples = cover.build(pending, kSampleShare * radius);
+    std::vector<std::uint8_t> has_details(samples.size());
+    parallel::for_each_chunk(samples.size(), kSampleChunk, [&](std::size_t begin, std::size_t end) {
+      const ScratchPool<BallSearch>::Loan search(pool);
+      for (std::size_t i = begin; i < end; ++i)
+        has_details[i] = search->sum_share(samples[i], radius) < options.least_sum ? 1 : 0;
+    });
+    std::erase_if(pending, [&](VertexId v) { return has_details[cover.sample_of(v)] == 0; });
+    for (const VertexId v : pending)
+      sizes[v.value()] = std::max(options.smallest, kStep * share) * options.edge;
+  }
   return sizes;
 }
 

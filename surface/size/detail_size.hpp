@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "engine/base/progress.hpp"
 #include "engine/mesh/constraint.hpp"
 #include "engine/mesh/mesh.hpp"
 
@@ -22,8 +23,9 @@ struct DetailOptions {
 
 // One a vertex, in input units: the longest of edge, edge / sqrt(2), edge / 2 ... at which the place has no
 // details; the smallest share where it always has, as at the tip of a cone; infinite where the edge itself
-// will do.
+// will do. Where triangles are much smaller than the balls that are looked at, vertices within a quarter of a
+// radius of one another get the same: the work is linear in the triangles for any edge.
 [[nodiscard]] std::vector<double> detail_sizes(const Mesh& triangles, const ConstraintTags& tags,
-                                               const DetailOptions& options);
+                                               const DetailOptions& options, const Progress& progress);
 
 }  // namespace quarry

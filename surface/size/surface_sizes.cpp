@@ -38,9 +38,11 @@ void limit_growth(const Mesh& mesh, double growth, std::vector<double>& most) {
 
 }  // namespace
 
-SurfaceSizes::SurfaceSizes(const Mesh& triangles, std::vector<double> most, double growth, double edge)
-    : edge_(edge), growth_(growth) {
-  if (std::none_of(most.begin(), most.end(), [&](double size) { return size < edge; })) return;
+SurfaceSizes::SurfaceSizes(const Mesh& triangles, std::vector<double> most, double growth, double edge,
+                           std::vector<TightPlace> tight)
+    : edge_(edge), growth_(growth), tight_(std::move(tight)) {
+  if (tight_.empty() && std::none_of(most.begin(), most.end(), [&](double size) { return size < edge; }))
+    return;
   limit_growth(triangles, growth, most);
   most_ = std::move(most);
   points_.reserve(triangles.vertex_slots());
@@ -53,14 +55,19 @@ SurfaceSizes::SurfaceSizes(const Mesh& triangles, std::vector<double> most, doub
 
 double SurfaceSizes::at(const SurfacePoint& p) const {
   if (uniform()) return edge_;
-  double size = edge_;
+  double size = tightest(p.position);
   for (const std::uint32_t corner : triangles_[p.triangle.value()])
     size = std::min(size, leniency_ * most_[corner] + growth_ * length(p.position - points_[corner]));
   return size;
 }
 
-double SurfaceSizes::at(VertexId v) const {
-  return uniform() ? edge_ : std::min(edge_, leniency_ * most_[v.value()]);
+double SurfaceSizes::at(VertexId v) const { return uniform() ? edge_ : at_point(v.value()); }
+
+double SurfaceSizes::tightest(Vec3 place) const {
+  double size = edge_;
+  for (const TightPlace& tight : tight_)
+    size = std::min(size, tight.edge + growth_ * length(place - tight.place));
+  return size;
 }
 
 double SurfaceSizes::squares() const {
@@ -73,7 +80,7 @@ double SurfaceSizes::squares() const {
           const double area = 0.5 * length(cross(points_[b] - points_[a], points_[c] - points_[a]));
           double inverse = 0;
           for (const std::uint32_t corner : triangles_[i]) {
-            const double size = std::min(edge_, leniency_ * most_[corner]);
+            const double size = at_point(corner);
             inverse += 1 / (3 * size * size);
           }
           sum += area * inverse;

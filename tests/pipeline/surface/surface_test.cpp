@@ -6,6 +6,7 @@
 #include <set>
 #include <string>
 #include <tuple>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -179,6 +180,35 @@ TEST_F(SurfaceJob, OfQuadsFollowsAFieldWithFewerIrregularVerticesThanClusters) {
   EXPECT_LT(summarize_quality(field.mesh).valence.irregular_share(),
             summarize_quality(cluster.mesh).valence.irregular_share());
   EXPECT_GT(summarize_quality(field.mesh).quads.scaled_jacobian.mean, 0.98);
+}
+
+// A band that meanders: a terrain of columns x rows cells bent along a course whose direction swings by so
+// many radians, until neighbouring turns nearly touch. Its rims are features, and coarse elements have all
+// their corners there.
+TriangleSurface meander(double swing, double waves, double width) {
+  constexpr std::uint32_t kColumns = 200, kRows = 6;
+  constexpr double kLength = 10;
+  TriangleSurface band = test::terrain(kColumns, kRows, [](double, double) { return 0.0; });
+  Vec3 at;
+  for (std::uint32_t i = 0; i <= kColumns; ++i) {
+    const double turn = swing * std::sin(waves * kLength * i / kColumns);
+    if (i > 0) at = at + (kLength / kColumns) * Vec3{std::cos(turn), 0, std::sin(turn)};
+    for (std::uint32_t j = 0; j <= kRows; ++j)
+      band.points[j * (kColumns + 1) + i] = at + Vec3{0, width * j / kRows, 0};
+  }
+  return band;
+}
+
+TEST_F(SurfaceJob, MeshesBandsThatTurnBackHoweverCoarsely) {
+  const std::vector<std::tuple<double, double, double, double>> cases = {
+      {1.2, 7, 0.6, 60}, {2, 7, 2, 20},      {2, 7, 2, 60},      {2.3, 2, 2, 60},
+      {2.3, 4, 0.6, 60}, {2.3, 4, 0.6, 200}, {2.3, 4, 0.6, 600}, {2.3, 4, 2, 60}};
+  for (const auto& [swing, waves, width, count] : cases) {
+    const std::string path = file_of(meander(swing, waves, width));
+    const SurfaceResult result = mesh_surface(options_for(path, count), Progress());
+    EXPECT_GT(summarize_quality(result.mesh).quads.scaled_jacobian.min, 0)
+        << swing << " " << waves << " " << count;
+  }
 }
 
 // Strips of regions that are narrower than two elements: a lattice has as many rows as there are strips.

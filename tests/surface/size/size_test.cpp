@@ -1,10 +1,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "engine/base/error.hpp"
+#include "engine/base/progress.hpp"
 #include "engine/base/random.hpp"
 #include "engine/parallel/parallel.hpp"
 #include "surface/feature/bind.hpp"
@@ -34,7 +37,7 @@ TriangleSurface lens(double thickness, int rounds = 6) {
 }
 
 std::vector<double> details(const Mesh& mesh, double edge) {
-  return detail_sizes(mesh, ConstraintTags::of(mesh), {.edge = edge});
+  return detail_sizes(mesh, ConstraintTags::of(mesh), {.edge = edge}, Progress());
 }
 
 bool limited(const std::vector<double>& sizes) {
@@ -68,6 +71,33 @@ TEST(DetailSize, IsUnlimitedByTheNoiseOfAScan) {
   for (std::size_t i = 0; i < surface.points.size(); ++i)
     surface.points[i] = (1 + 0.004 * (uniform01(7, i) - 0.5)) * surface.points[i];
   EXPECT_FALSE(limited(details(mesh_of(surface), 0.2)));
+}
+
+// Vertex by vertex this would look at 16,000^2 triangles for each size that is tried.
+TEST(DetailSize, OfAnEdgeLongerThanAFineSurfaceIsTheSmallestEverywhere) {
+  const Mesh mesh = mesh_of(test::sphere(6));
+  for (const double size : details(mesh, 1e3)) EXPECT_EQ(size, 125);
+}
+
+TEST(DetailSize, IsTheSameAtNeighboursThatAreNearBesideTheirBalls) {
+  const Mesh mesh = mesh_of(lens(0.1));
+  const std::vector<double> sizes = details(mesh, 2);
+  std::set<double> found(sizes.begin(), sizes.end());
+  EXPECT_LE(found.size(), 8U);
+  for (const VertexId v : mesh.vertices()) {
+    const Vec3 p = mesh.point3(v);
+    if (std::hypot(p.x, p.y) > 0.9) {
+      EXPECT_LE(sizes[v.value()], 1) << v.value();
+    }
+  }
+}
+
+TEST(DetailSize, EndsWhenItIsCancelled) {
+  const Mesh mesh = mesh_of(test::sphere(3));
+  CancellationToken token;
+  token.cancel();
+  const Progress progress({}, &token);
+  EXPECT_THROW(static_cast<void>(detail_sizes(mesh, ConstraintTags::of(mesh), {.edge = 1}, progress)), Error);
 }
 
 TEST(DetailSize, IsTheSameOnAnyNumberOfThreads) {
@@ -108,6 +138,20 @@ TEST(SurfaceSizes, GrowAwayFromWhatLimitsThem) {
     // Ways along edges are longer than straight ones.
     EXPECT_LE(sizes.at(v), std::min(0.2, 0.01 + 0.3 * 2 * far) + 1e-12);
   }
+}
+
+TEST(SurfaceSizes, AreSmallAboutTightPlacesHoweverLenient) {
+  const Mesh mesh = mesh_of(test::cube());
+  const std::vector<double> most(8, std::numeric_limits<double>::infinity());
+  const Vec3 place{0.5, 0.5, 1};
+  SurfaceSizes sizes(mesh, most, 0.5, 1, {{place, 0.01}});
+  EXPECT_FALSE(sizes.uniform());
+  sizes.set_leniency(16);
+  const SurfacePoint there{place, TriangleId(std::uint32_t{0}), {1, 0, 0}, 0};
+  const SurfacePoint beside{place + Vec3{0.1, 0, 0}, TriangleId(std::uint32_t{0}), {1, 0, 0}, 0};
+  EXPECT_EQ(sizes.at(there), 0.01);
+  EXPECT_NEAR(sizes.at(beside), 0.06, 1e-12);
+  EXPECT_NEAR(sizes.times(2).at(there), 0.02, 1e-12);
 }
 
 TEST(SurfaceSizes, GrowWithinLargeTrianglesToo) {
