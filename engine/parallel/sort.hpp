@@ -8,8 +8,8 @@
 namespace quarry::parallel {
 
 // Sorts keys ascending and carries values along; equal keys keep their order. Both have the same size.
-// A least-significant-digit radix sort by fixed chunks, 8 bits a pass; passes whose digit is constant are
-// skipped.
+// A radix sort with digits of 8 bits: the highest digit first where that makes parts of similar size, which
+// then fit a cache each, else the lowest first; digits that are the same everywhere are skipped.
 void stable_sort_by_key(std::vector<std::uint64_t>& keys, std::vector<std::uint32_t>& values);
 
 // The permutation that sorts keys ascending and stably: keys[order[0]] <= keys[order[1]] <= ...

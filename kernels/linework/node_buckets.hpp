@@ -17,6 +17,13 @@ class NodeBuckets {
   // radius: of nearest(), in the units of the points.
   NodeBuckets(Vec2 origin, double radius) : origin_(origin), radius_(radius), slots_(kFirstSlots) {}
 
+  // Room for so many nodes, so that they are not moved again and again as they come.
+  void reserve(std::size_t nodes) {
+    while (slots_.size() < 2 * nodes) grow();
+    next_.reserve(nodes);
+    points_.reserve(nodes);
+  }
+
   void insert(NodeId node, Vec2 at) {
     if (next_.size() <= node.value()) {
       next_.resize(node.value() + 1);

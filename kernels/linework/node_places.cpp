@@ -14,6 +14,7 @@ NodePlaces::NodePlaces(PathNetwork& network, double apart)
     if (path.steps.size() < 2) continue;
     for (const PathStep& end : {path.steps.front(), path.steps.back()}) ++end_of_one_[end.node.value()];
   }
+  buckets_.reserve(network.nodes.size());
   for (const NodeId node : IdRange<NodeId>(network.nodes.size())) buckets_.insert(node, network.nodes[node]);
 }
 
