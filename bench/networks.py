@@ -3,10 +3,11 @@
 processes, file to file. Prints tables in Markdown, as they stand in docs/results-networks.md.
 
 usage: networks.py [--quarry build/quarry] [--referee DIR] [--segments 1000,10000,100000] [--repeat 3] [--limit 300]
-                   [--peers 10000] [--out docs/results-networks.md] [--json FILE] [--compare FILE]
+                   [--peers 10000] [--quick] [--out docs/results-networks.md] [--json FILE] [--compare FILE]
 
 --peers    the largest network that gmsh and netgen are given
 --limit    seconds that a run of theirs may take
+--quick    of gmsh and netgen the fastest ways alone, which the ratios are with
 --json     all figures and ratios, for --compare
 --compare  prints the ratios beside those of such a file, and ends with 1 if one fell by more than a fifth
 """
@@ -27,6 +28,7 @@ SHAPES = {"1,000 segments": (1000, 105), "10,000": (10000, 145), "100,000": (100
 WAYS = (("quads, no clean-up", ("--cleanup", "none")), ("quads", ()), ("triangles", ("--elements", "tri")))
 # Triangles of gmsh: what it does, options.
 GMSH_TRIANGLES = (("triangles, frontal", {"Algorithm": 6}), ("triangles, Delaunay", {"Algorithm": 5}))
+FASTEST = ("each triangle to three quads", "triangles, Delaunay", "triangles")
 NETGEN = os.path.join(os.path.dirname(os.path.abspath(__file__)), "netgen_peer.py")
 NETGEN_WAYS = (("mostly quads", ["--quads"], "quad"), ("triangles", [], "triangle"))
 
@@ -84,6 +86,8 @@ def gmsh_runs(bench, clean, size):
             if shape == "faces" and factor]
     ways += [(label, "faces", 1, options, "triangle") for label, options in GMSH_TRIANGLES]
     for label, shape, factor, options, kind in ways:
+        if bench.arguments.quick and label not in FASTEST:
+            continue
         geo, target = bench.path("faces.geo"), bench.path("gmsh.msh")
         gmsh_geo.write_geo(clean, geo, size, shape)
         done = run(gmsh_command(geo, target, factor * size, options, False), bench.folder, bench.arguments.limit)
@@ -103,6 +107,8 @@ def gmsh_runs(bench, clean, size):
 
 def netgen_runs(bench, clean, size):
     for label, extra, kind in NETGEN_WAYS:
+        if bench.arguments.quick and label not in FASTEST:
+            continue
         printed = bench.path("netgen.txt")
         command = ["/usr/bin/python3", NETGEN, clean, bench.path("netgen.vol"), "--size", repr(size), *extra]
         done = run(command, bench.folder, bench.arguments.limit, printed)
@@ -151,6 +157,7 @@ def parse():
     parser.add_argument("--repeat", type=int, default=3)
     parser.add_argument("--limit", type=int, default=300)
     parser.add_argument("--peers", type=int, default=10000)
+    parser.add_argument("--quick", action="store_true")
     parser.add_argument("--out", default="")
     parser.add_argument("--json", default="")
     parser.add_argument("--compare", default="")
