@@ -16,6 +16,7 @@
 #include "kernels/local/better_flips.hpp"
 #include "kernels/matching/whole_outline.hpp"
 #include "kernels/smooth/laplacian.hpp"
+#include "pipeline/report/count_note.hpp"
 #include "pipeline/section/boundary_rule.hpp"
 #include "pipeline/section/conservation.hpp"
 #include "pipeline/section/line_tags.hpp"
@@ -294,6 +295,8 @@ SectionResult mesh_section(const SectionOptions& options, const Progress& progre
   name_regions(result.mesh, sets_of(result), seeds, result.groups);
   mark_pinches(result.mesh, final_tags);
   require_valid(result.mesh);
+  if (const auto note = count_note(options.count, result.mesh, "lines and boundary"))
+    result.cleaned.notes.push_back(*note);
   clock.stop();
   result.times = clock.times();
   return result;

@@ -8,6 +8,7 @@
 #include "engine/base/error.hpp"
 #include "engine/base/log.hpp"
 #include "io/lines/line_reader.hpp"
+#include "pipeline/report/count_note.hpp"
 #include "pipeline/surface/elements.hpp"
 #include "pipeline/surface/find_surface_sizes.hpp"
 #include "pipeline/surface/finish_surface.hpp"
@@ -52,6 +53,8 @@ class SurfaceJob {
     result_.repaired = repaired.surface;
     choose_method(repaired);
     if (result_.method == SurfaceQuads::kCluster || !follow_field(repaired)) mesh_validly(repaired);
+    if (const auto note = count_note(options_.count, result_.mesh, "features and details"))
+      result_.notes.push_back(*note);
     result_.repair = std::move(repaired.report);
     clock_.stop();
     result_.times = clock_.times();

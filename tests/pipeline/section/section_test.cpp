@@ -172,6 +172,16 @@ TEST(SectionCount, IsMetWithinATwentieth) {
   }
 }
 
+TEST(SectionCount, IsToldWhereLinesNeedMoreElements) {
+  const ScratchFile file("lines.geojson",
+                         geojson_text({{{0, 0}, {100, 0}}, {{0, 100}, {100, 100}}, {{20, 30}, {70, 60}}}));
+  SectionOptions options = options_for(file.path(), 1);
+  options.size.reset();
+  options.count = 2;
+  EXPECT_EQ(
+      mesh_section(options, {}).cleaned.notes.back().find("--count asks for 2 elements, and there are "), 0U);
+}
+
 TEST(SectionCancellation, EndsTheJobWithItsOwnKind) {
   CancellationToken token;
   token.cancel();
