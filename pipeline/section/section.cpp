@@ -206,6 +206,7 @@ void clean(const SectionOptions& options, double wedge, SectionResult& result, S
                                progress);
   require_all_told(result.lines, result.cleaned);
   result.lengths.snap = result.cleaned.options.snap;
+  result.lengths.min_edge = result.cleaned.options.min_edge;
   if (result.sizes) {
     result.sizes->set_gaps(result.cleaned.lines);
     foresee(options, result);

@@ -182,6 +182,17 @@ TEST(SectionCount, IsToldWhereLinesNeedMoreElements) {
       mesh_section(options, {}).cleaned.notes.back().find("--count asks for 2 elements, and there are "), 0U);
 }
 
+TEST(SectionLengths, AreReportedAsTheyWereUsed) {
+  const ScratchFile file("lines.geojson", geojson_text({{{0, 0}, {100, 0}}, {{0, 100}, {100, 100}}}));
+  SectionOptions options = options_for(file.path(), 10);
+  options.snap = 2;
+  options.min_edge = 1;
+  for (const ReportItem& item : resolved_options(options, mesh_section(options, {})))
+    if (item.name == "snap" || item.name == "min-edge") {
+      EXPECT_EQ(std::get<double>(item.value), 2) << item.name;
+    }
+}
+
 TEST(SectionCancellation, EndsTheJobWithItsOwnKind) {
   CancellationToken token;
   token.cancel();
