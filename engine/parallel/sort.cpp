@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cassert>
 #include <cstddef>
 #include <numeric>
+#include <tuple>
+#include <utility>
 
 #include "engine/parallel/parallel.hpp"
 
@@ -99,8 +102,8 @@ void sort_range(Columns& columns, Columns& room, std::size_t begin, std::size_t 
     std::swap(from, to);
   }
   if (from == &columns) return;
-  std::copy(room.keys.begin() + begin, room.keys.begin() + end, columns.keys.begin() + begin);
-  std::copy(room.values.begin() + begin, room.values.begin() + end, columns.values.begin() + begin);
+  std::copy_n(room.keys.data() + begin, end - begin, columns.keys.data() + begin);
+  std::copy_n(room.values.data() + begin, end - begin, columns.values.data() + begin);
 }
 
 // By the highest digit first, then each part of its own, in the cache: where no part is large. False, with
