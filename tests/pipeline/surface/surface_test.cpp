@@ -218,8 +218,9 @@ TEST_F(SurfaceJob, WithFeaturesTooNearForALatticeClustersAndSaysSo) {
     strips.groups[t] = static_cast<std::int32_t>(t / 80 % 2);
   const SurfaceResult result = mesh_surface(options_for(file_of(strips), 600), Progress());
   EXPECT_EQ(result.method, SurfaceQuads::kCluster);
-  ASSERT_EQ(result.notes.size(), 1U);
+  ASSERT_EQ(result.notes.size(), 2U);
   EXPECT_NE(result.notes[0].find("--quads cluster"), std::string::npos);
+  EXPECT_EQ(result.notes[1].find("--count asks for 600 elements"), 0U) << result.notes[1];
   EXPECT_GT(summarize_quality(result.mesh).quads.scaled_jacobian.min, 0);
 }
 
