@@ -5,7 +5,7 @@ Made by `bench/networks.py`, which anyone can rerun; do not edit. Fractures draw
 in a box of 1000, with lengths by a power law and two sets of directions. Whole processes, file to file, seconds of
 processor time (and of the clock in brackets), the best of {repeat}. gmsh and netgen (Debian's both) mesh the lines that
 `quarry clean` wrote: gmsh face by face of the arrangement, netgen as one domain with all lines inside it, to an edge that
-gives about as many elements; the ways of gmsh are those of [results.md](results.md). A run of them ends after {limit} s.
+gives about as many elements; the ways of gmsh are those of [results.md](results.md){ways}. A run of them ends after {limit} s.
 netgen makes no meshes of quadrilaterals alone. Machine: {machine}. Sources as of {commit}.
 
 ## quarry
@@ -50,8 +50,9 @@ def peer_row(row):
             + " | ".join(shape) + " |")
 
 
-def page(results, repeat, limit, machine, commit):
+def page(results, repeat, limit, quick):
     peers = "\n".join([PEER_HEADING, *map(peer_row, results["peers"])]) if results["peers"] else "Not run."
     table = ["| ratio | |", "|---|---|", *(f"| {name} | {value:.2f} |" for name, value in results["ratios"].items())]
-    return PAGE.format(repeat=repeat, limit=limit, machine=machine, commit=commit,
+    return PAGE.format(repeat=repeat, limit=limit, machine=results["machine"], commit=results["commit"],
+                       ways=", here the fastest alone" if quick else "",
                        ours="\n".join(map(ours_row, results["quarry"])), peers=peers, ratios="\n".join(table))

@@ -173,7 +173,7 @@ def main():
             file.write("\n")
     if arguments.compare:
         sys.exit(0 if ratios.compare(results["ratios"], load_json(arguments.compare)["ratios"]) else 1)
-    page = network_page.page(results, arguments.repeat, arguments.limit, results["machine"], results["commit"])
+    page = network_page.page(results, arguments.repeat, arguments.limit, arguments.quick)
     if not arguments.out:
         print(page)
         return
