@@ -1,9 +1,9 @@
 #include "pipeline/improve/group_labels.hpp"
 
-#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <utility>
 
 namespace quarry {
@@ -11,49 +11,55 @@ namespace {
 
 constexpr double kNoAperture = std::numeric_limits<double>::quiet_NaN();
 
+// Puts labels in the place of numbers: places in the list of all different keys, ascending, which it returns.
+// fill(i, key) makes the key of the entry i.
+template <class Key, class Fill>
+std::vector<Key> replace_by_labels(std::vector<std::int32_t>& numbers, Fill&& fill) {
+  std::map<Key, std::int32_t> found;
+  Key key;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    key.clear();
+    fill(i, key);
+    numbers[i] = found.try_emplace(key, static_cast<std::int32_t>(found.size())).first->second;
+  }
+  std::vector<Key> keys;
+  std::vector<std::int32_t> label_of(found.size());
+  for (const auto& [each, order] : found) {
+    label_of[static_cast<std::size_t>(order)] = static_cast<std::int32_t>(keys.size());
+    keys.push_back(each);
+  }
+  for (std::int32_t& number : numbers) number = label_of[static_cast<std::size_t>(number)];
+  return keys;
+}
+
 }  // namespace
 
-GroupLabels::GroupLabels(ReadCells& cells) {
+GroupLabels::GroupLabels(ReadCells& cells) : groups_(groupings_of(cells)) {
   const std::vector<ReadGrouping> groups = std::exchange(cells.groups, {});
   const std::vector<double> apertures = std::exchange(cells.apertures, {});
   with_aperture_ = !apertures.empty();
+  if (none()) return;
   for (const ReadGrouping& group : groups) {
-    groups_.push_back(group.grouping);
     of_faces_.push_back(!group.of_faces.empty());
     of_edges_.push_back(!group.of_edges.empty());
   }
-  if (none()) return;
-  const auto keys_of = [&](const std::vector<std::int32_t>& numbers,
-                           std::vector<std::int32_t> ReadGrouping::*of) {
-    std::vector<Key> keys(numbers.size());
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-      keys[i].push_back(numbers[i]);
-      for (const ReadGrouping& group : groups) keys[i].push_back((group.*of).empty() ? -1 : (group.*of)[i]);
-    }
-    return keys;
+  const auto add_groups = [&](std::size_t i, std::vector<std::int32_t> ReadGrouping::*of, Key& key) {
+    for (const ReadGrouping& group : groups) key.push_back((group.*of).empty() ? -1 : (group.*of)[i]);
   };
-  face_keys_ = replace(cells.regions, keys_of(cells.regions, &ReadGrouping::of_faces));
-  std::vector<Key> edges = keys_of(cells.constraints, &ReadGrouping::of_edges);
-  for (std::size_t i = 0; i < edges.size(); ++i)
-    edges[i].push_back(std::bit_cast<std::int64_t>(
-        with_aperture_ && !std::isnan(apertures[i]) ? apertures[i] : kNoAperture));
+  face_keys_ = replace_by_labels<Key>(cells.regions, [&](std::size_t i, Key& key) {
+    key.push_back(cells.regions[i]);
+    add_groups(i, &ReadGrouping::of_faces, key);
+  });
+  edge_keys_ = replace_by_labels<Key>(cells.constraints, [&](std::size_t i, Key& key) {
+    key.push_back(cells.constraints[i]);
+    add_groups(i, &ReadGrouping::of_edges, key);
+    const bool has_aperture = with_aperture_ && !std::isnan(apertures[i]);
+    key.push_back(std::bit_cast<std::int64_t>(has_aperture ? apertures[i] : kNoAperture));
+  });
   Key plain(groups.size() + 1, -1);
   plain.push_back(std::bit_cast<std::int64_t>(kNoAperture));
-  std::vector<bool> is_plain(edges.size());
-  for (std::size_t i = 0; i < edges.size(); ++i) is_plain[i] = edges[i] == plain;
-  edge_keys_ = replace(cells.constraints, edges);
-  for (std::size_t i = 0; i < is_plain.size(); ++i)
-    if (is_plain[i]) cells.constraints[i] = -1;
-}
-
-std::vector<GroupLabels::Key> GroupLabels::replace(std::vector<std::int32_t>& numbers,
-                                                   const std::vector<Key>& keys) {
-  std::vector<Key> labels = keys;
-  std::ranges::sort(labels);
-  labels.erase(std::ranges::unique(labels).begin(), labels.end());
-  for (std::size_t i = 0; i < numbers.size(); ++i)
-    numbers[i] = static_cast<std::int32_t>(std::ranges::lower_bound(labels, keys[i]) - labels.begin());
-  return labels;
+  for (std::int32_t& label : cells.constraints)
+    if (edge_keys_[static_cast<std::size_t>(label)] == plain) label = -1;
 }
 
 std::int32_t GroupLabels::constraint(std::int32_t label) const {

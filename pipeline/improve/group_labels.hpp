@@ -30,7 +30,6 @@ class GroupLabels {
  private:
   // A number, the place in each grouping, and for edges the bits of the aperture.
   using Key = std::vector<std::int64_t>;
-  static std::vector<Key> replace(std::vector<std::int32_t>& numbers, const std::vector<Key>& keys);
   [[nodiscard]] bool none() const { return groups_.empty() && !with_aperture_; }
 
   std::vector<Grouping> groups_;

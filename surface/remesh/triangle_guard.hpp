@@ -45,6 +45,8 @@ class TriangleGuard {
     return std::any_of(vertices.begin(), vertices.end(),
                        [&](VertexId v) { return !(normals_[v] == Vec3()); });
   }
+  // Whether some of the surface faces along the normal of a triangle, of what is about as near to its middle
+  // as the nearest point is (to a tenth of the triangle's size).
   [[nodiscard]] bool faces_along_surface(Vec3 normal, const std::array<Vec3, 3>& points) const {
     const Vec3 middle = (1.0 / 3) * (points[0] + points[1] + points[2]);
     double size = 0;
