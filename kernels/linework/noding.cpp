@@ -36,8 +36,8 @@ constexpr double kDrift = 1.75;
 constexpr double kTooFar = 3;
 // Spacing of the samples of a raw line when it is laid, in snapping distances.
 constexpr double kSampling = 0.25;
-// And at most so many samples in a stretch: one that is longer than some thousand snapping distances gets
-// nodes farther apart, or a few such lines would become millions of nodes.
+// And at most so many samples in all stretches of a path together: where these are longer than some thousand
+// snapping distances they get nodes farther apart, or a few such lines would become millions of nodes.
 constexpr double kMostSamples = 4096;
 
 // Each closes every other wedge of a fan.
@@ -177,14 +177,15 @@ class Noder {
       const Vec2 p = raw_point(raw, end->at);
       if (distance(p, network_.nodes[end->node]) > too_far_) end->node = node_at(p);
     }
+    const auto at = [&](std::size_t step) { return path.steps[step].at; };
+    double length = 0;
+    for (const Window& window : windows) length += stretch_length(raw, at(window.first), at(window.last));
+    const double spacing = std::max(kSampling * snap_, length / kMostSamples);
     std::vector<PathStep> steps;
     std::size_t next = 0;  // step of the path that follows
     for (const Window& window : windows) {
       for (; next <= window.first; ++next) steps.push_back(path.steps[next]);
-      const double from = path.steps[window.first].at;
-      const double to = path.steps[window.last].at;
-      const double spacing = std::max(kSampling * snap_, stretch_length(raw, from, to) / kMostSamples);
-      const auto laid = nearest_course(network_, raw, from, to, spacing, node_at);
+      const auto laid = nearest_course(network_, raw, at(window.first), at(window.last), spacing, node_at);
       steps.insert(steps.end(), laid.begin(), laid.end());
       next = window.last;
     }

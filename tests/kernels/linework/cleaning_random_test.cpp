@@ -48,5 +48,16 @@ TEST(DirtyLineSets, AreLaidAnewInNoTimeWhereLinesAreManySnappingDistancesLong) {
   EXPECT_EQ(what_is_wrong({.seed = 528737187U, .lines = 477, .snap = 9, .scale = -1, .offset = 5}), "");
 }
 
+// A path that was laid anew in four hundred stretches got thousands of nodes in each, and a hundred lines
+// beside it were bent through all of them: millions of steps.
+TEST(DirtyLineSets, AreLaidAnewInManyStretchesWithoutMoreNodesForIt) {
+  const DirtySet set{.seed = 941419628U, .lines = 103, .snap = 8, .scale = -2, .offset = 3};
+  const LineSet raw = DirtyLines(set).draw();
+  const double snap = 1e-10;
+  const CleanedLines result =
+      clean_lines(raw, box_outline(raw, snap), {.snap = snap, .min_edge = snap, .tolerance = snap});
+  EXPECT_LT(result.counts.bends, 1'000'000U);
+}
+
 }  // namespace
 }  // namespace quarry
