@@ -1,12 +1,14 @@
 // Points that come, go and move, found by nearness: a hash of square cells.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <vector>
 
 #include "engine/base/random.hpp"
 #include "engine/geometry/line_set.hpp"
+#include "engine/geometry/segment.hpp"
 
 namespace quarry::linework {
 
@@ -41,6 +43,29 @@ class NodeBuckets {
     *link = next_[node.value()];
   }
 
+  // Calls visit(node, place) for all nodes nearer to the segment ab than the radius, and for others, in no
+  // order. Takes time for the cells along the segment or for all nodes, whichever are fewer.
+  template <class Visit>
+  void visit_along(Vec2 a, Vec2 b, Visit&& visit) const {
+    const double side = kCellSide * radius_;
+    const double cells = 3 * (std::abs(b.x - a.x) + std::abs(b.y - a.y)) / side;
+    if (cells > static_cast<double>(slots_.size())) {
+      for (const Slot& each : slots_) visit_chain(each.head, visit);
+      return;
+    }
+    const auto [left, right] = std::minmax({a.x - origin_.x, b.x - origin_.x});
+    const std::int64_t last_column = cell(right + radius_);
+    for (std::int64_t c = cell(left - radius_); c <= last_column; ++c) {
+      // What of the segment is no farther from this column than the radius.
+      const double begin = static_cast<double>(c) * side - radius_;
+      const double end = begin + side + 2 * radius_;
+      const auto [low, high] = std::minmax({height_at(begin, a, b), height_at(end, a, b)});
+      const std::int64_t last_row = cell(high + radius_);
+      for (std::int64_t r = cell(low - radius_); r <= last_row; ++r)
+        visit_chain(slots_[slot(key(c, r))].head, visit);
+    }
+  }
+
   // The node nearest to p among those nearer than the radius, the smallest of equals; `except` does not
   // count.
   [[nodiscard]] NodeId nearest(Vec2 p, NodeId except = {}) const {
@@ -70,6 +95,19 @@ class NodeBuckets {
   static constexpr std::uint64_t kNoKey = 0;
   static constexpr std::size_t kFirstSlots = 1024;  // a power of two
   static constexpr double kCellSide = 4;            // in radii
+
+  template <class Visit>
+  void visit_chain(NodeId head, Visit&& visit) const {
+    for (NodeId n = head; n.valid(); n = next_[n.value()]) visit(n, points_[n.value()]);
+  }
+
+  // Offset in y of the point of the segment ab that has this offset in x, or of its nearest end.
+  [[nodiscard]] double height_at(double x, Vec2 a, Vec2 b) const {
+    const double ahead = x + origin_.x - a.x;
+    const double width = b.x - a.x;
+    const double t = width == 0 ? (ahead < 0 ? 0.0 : 1.0) : std::clamp(ahead / width, 0.0, 1.0);
+    return point_at(t, a, b).y - origin_.y;
+  }
 
   [[nodiscard]] std::int64_t cell(double offset) const {
     return static_cast<std::int64_t>(std::floor(offset / (kCellSide * radius_)));

@@ -22,6 +22,11 @@ class NodePlaces {
   [[nodiscard]] bool ends_one_path(NodeId node) const { return end_of_one_[node.value()] == 1; }
   // The node nearest to p among those that are not apart from it; none if all are.
   [[nodiscard]] NodeId nearest(Vec2 p) const { return buckets_.nearest(p); }
+  // Calls visit(node, place) for all nodes nearer to the segment ab than apart(), and for others.
+  template <class Visit>
+  void visit_along(Vec2 a, Vec2 b, Visit&& visit) const {
+    buckets_.visit_along(a, b, visit);
+  }
 
   NodeId add(Vec2 p, bool outline);
   // The node nearest to p, or a new one. On the outline if asked for.

@@ -26,25 +26,28 @@ namespace {
 
 // Where bending does not settle the hits in this many rounds in a row, the paths are laid anew.
 constexpr std::uint32_t kRoundsOfBending = 32;
-// Dense soups of thousands of lines take a few dozen rounds; more than this is an error.
-constexpr std::uint32_t kRounds = 128;
+// Dense soups take a few dozen rounds, one in ten thousand up to a hundred; more than this is an error.
+constexpr std::uint32_t kRounds = 256;
 // How far an edge may be from its raw stretch before it is anchored, in snapping distances: more than the
 // sqrt(2) that joining points to nodes can make.
 constexpr double kDrift = 1.75;
 // How far before its path is laid anew, in snapping distances: more than what laying it and bending it once
 // make, so that this is not done over and over.
 constexpr double kTooFar = 3;
-// Spacing of the samples of a raw line when it is laid, in snapping distances.
-constexpr double kSampling = 0.25;
-// And at most so many samples in all stretches of a path together: where these are longer than some thousand
-// snapping distances they get nodes farther apart, or a few such lines would become millions of nodes.
-constexpr double kMostSamples = 4096;
 
 // Each closes every other wedge of a fan.
 constexpr std::uint32_t kRoundsOfWedges = 8;
 
 constexpr std::size_t kCheckedPerChunk = 256;
 constexpr std::size_t kCrossingsPerChunk = 512;
+
+// Somewhere among the points, so that offsets from it are small.
+Vec2 origin_of(const std::vector<RawLine>& raw) {
+  Vec2 origin;
+  for (const RawLine& line : raw)
+    if (!line.points.empty()) origin = line.points.front();
+  return origin;
+}
 
 class Noder {
  public:
@@ -55,6 +58,7 @@ class Noder {
         too_far_(std::min(budget, kTooFar * snap_)),
         counts_(counts),
         places_(network, std::numbers::sqrt2 * snap_),
+        anchors_(origin_of(network.raw), places_.apart()),
         search_(network, snap_) {}
 
   void run(const Progress& progress) {
@@ -177,15 +181,12 @@ class Noder {
       const Vec2 p = raw_point(raw, end->at);
       if (distance(p, network_.nodes[end->node]) > too_far_) end->node = node_at(p);
     }
-    const auto at = [&](std::size_t step) { return path.steps[step].at; };
-    double length = 0;
-    for (const Window& window : windows) length += stretch_length(raw, at(window.first), at(window.last));
-    const double spacing = std::max(kSampling * snap_, length / kMostSamples);
     std::vector<PathStep> steps;
     std::size_t next = 0;  // step of the path that follows
     for (const Window& window : windows) {
       for (; next <= window.first; ++next) steps.push_back(path.steps[next]);
-      const auto laid = nearest_course(network_, raw, at(window.first), at(window.last), spacing, node_at);
+      pin_course(places_, network_, path, window);
+      const auto laid = nearest_course(places_, raw, path.steps[window.first].at, path.steps[window.last].at);
       steps.insert(steps.end(), laid.begin(), laid.end());
       next = window.last;
     }
@@ -219,8 +220,10 @@ class Noder {
       const double at = anchor(path, i);
       if (!is_between(path, i, at)) continue;
       const Vec2 place = raw_point(network_.raw[path.raw].points, at);
-      if (places_.nearest(place).valid()) continue;
+      // Where one was and did not stay, as beside the outline, another would not.
+      if (places_.nearest(place).valid() || anchors_.nearest(place).valid()) continue;
       const NodeId node = places_.add(place, path.outline);
+      anchors_.insert(node, place);
       path.checked = false;
       path.steps.insert(path.steps.begin() + static_cast<std::ptrdiff_t>(i) + 1, {node, at});
       ++counts_.anchors;
@@ -366,6 +369,7 @@ class Noder {
   double too_far_;
   CleanCounts& counts_;
   NodePlaces places_;
+  NodeBuckets anchors_;  // the places of all that were put
   ConflictSearch search_;
   std::uint32_t bending_rounds_ = kRoundsOfBending;
   std::uint32_t wedge_rounds_ = kRoundsOfWedges;
@@ -411,14 +415,6 @@ class Clustering {
   }
 
  private:
-  // Somewhere among the points, so that offsets from it are small.
-  static Vec2 origin_of(const std::vector<RawLine>& raw) {
-    Vec2 origin;
-    for (const RawLine& line : raw)
-      if (!line.points.empty()) origin = line.points.front();
-    return origin;
-  }
-
   NodeId node_at(std::size_t i) {
     NodeId& node = node_of_[i];
     if (lonely_[i] != 0) {
