@@ -9,6 +9,11 @@
 namespace quarry::linework {
 namespace {
 
+// Around a step that was too far, so much of the line is pinned to either side, at such places; in distances
+// that nodes are apart.
+constexpr double kPinned = 2;
+constexpr double kPinSpacing = 0.2;
+
 bool is_far(const PathNetwork& network, const Path& path, std::size_t step, double near) {
   const auto [node, at] = path.steps[step];
   return distance(raw_point(network.raw[path.raw].points, at), network.nodes[node]) > near;
@@ -60,12 +65,20 @@ std::vector<Window> windows_around(const PathNetwork& network, const Path& path,
 
 void pin_course(NodePlaces& places, const PathNetwork& network, const Path& path, const Window& window) {
   const std::span<const Vec2> raw = network.raw[path.raw].points;
+  const double from = path.steps[window.first].at;
   const double to = path.steps[window.last].at;
-  for (auto i = static_cast<std::size_t>(path.steps[window.first].at) + 1; static_cast<double>(i) < to; ++i)
+  for (auto i = static_cast<std::size_t>(from) + 1; static_cast<double>(i) < to; ++i)
     (void)places.at(raw[i], path.outline);
-  for (std::size_t i = window.first + 1; i < window.last; ++i)
-    if (is_far(network, path, i, places.apart()))
-      (void)places.at(raw_point(raw, path.steps[i].at), path.outline);
+  double pinned = from;
+  for (std::size_t i = window.first + 1; i < window.last; ++i) {
+    if (!is_far(network, path, i, places.apart())) continue;
+    const double at = path.steps[i].at;
+    const double end = advance(raw, at, to, kPinned * places.apart());
+    double pin = std::max(pinned, advance(raw, at, from, kPinned * places.apart()));
+    for (; pin < end; pin = advance(raw, pin, end, kPinSpacing * places.apart()))
+      (void)places.at(raw_point(raw, pin), path.outline);
+    pinned = end;
+  }
 }
 
 std::vector<PathStep> nearest_course(const NodePlaces& places, std::span<const Vec2> raw, double from,
