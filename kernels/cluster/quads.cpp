@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "engine/mesh/compact.hpp"
 #include "kernels/cluster/merge.hpp"
 
 namespace quarry {
@@ -37,6 +38,9 @@ Mesh make_quads(Mesh&& triangles, const NodedLines& lines, const QuadOptions& op
                 const Progress& progress) {
   Mesh mesh = make_mixed(std::move(triangles), lines, options.mixed, report.mixed, progress);
   mesh = subdivide(std::move(mesh), lines, report.subdivide, progress);
+  // Sweeps go by what lies together in memory; whoever smooths later brings the mesh into that order.
+  if (options.smoothing.sweeps > 0 || options.square_corners.sweeps > 0 || options.optimise.sweeps > 0)
+    compact(mesh, EntityOrder::kHilbert);
   progress.report("smoothing", 0);
   report.smoothing = smooth_laplacian(mesh, lines, options.smoothing, progress);
   progress.report("smoothing", 0.2);

@@ -1,9 +1,11 @@
-// Sweeps over the vertices that still have something to gain: in place, one colour class after the other, the
-// same on any number of threads. Regular regions cost one look.
+// Sweeps over the vertices that still have something to gain: in place, block by block and between blocks one
+// colour class after the other, the same on any number of threads. Regular regions cost one look.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -76,6 +78,84 @@ void wake_corners(const Mesh& mesh, WakeList& list, const Wants& wants) {
   });
 }
 
+// Blocks of consecutive vertices. Where numbers follow a curve through space (engine/mesh/compact) a block is
+// an area that fits the cache of a core, and most of its vertices share faces with others of it alone.
+class SweepBlocks {
+ public:
+  explicit SweepBlocks(const Mesh& mesh) : mesh_(&mesh), inside_(mesh.vertex_slots(), kUnknown) {}
+
+  [[nodiscard]] std::size_t count() const { return (inside_.size() + kSize - 1) / kSize; }
+  // Those of a block among vertices that ascend.
+  [[nodiscard]] static std::span<const std::uint32_t> of_block(std::size_t block,
+                                                               const std::vector<std::uint32_t>& vertices) {
+    const auto begin = std::lower_bound(vertices.begin(), vertices.end(), block * kSize);
+    return {begin, std::lower_bound(begin, vertices.end(), (block + 1) * kSize)};
+  }
+  // Whether all vertices that share a face with v are of its block. Not to be asked about one by two threads.
+  [[nodiscard]] bool inside(VertexId v) {
+    std::uint8_t& known = inside_[v.value()];
+    if (known == kUnknown) known = look(v) ? kInside : kAtBorder;
+    return known == kInside;
+  }
+
+ private:
+  static constexpr std::size_t kSize = 2048;
+  static constexpr std::uint8_t kUnknown = 0, kInside = 1, kAtBorder = 2;
+
+  [[nodiscard]] bool look(VertexId v) const {
+    bool result = true;
+    for_each_side_around(*mesh_, v, [&](SideId side) {
+      for (SideId s = mesh_->next(side); s != side; s = mesh_->next(s))
+        result = result && mesh_->origin(s).value() / kSize == v.value() / kSize;
+    });
+    return result;
+  }
+
+  const Mesh* mesh_;
+  std::vector<std::uint8_t> inside_;
+};
+
+// Moves these one after the other, by a mover of one's own; returns how many moved.
+template <class Mover>
+std::uint64_t move_each(Mesh& mesh, WakeList& list, Mover mover, std::span<const std::uint32_t> vertices) {
+  std::uint64_t moved = 0;
+  for (const std::uint32_t i : vertices) {
+    const VertexId v(i);
+    if (!mover.move(mesh, v)) continue;
+    ++moved;
+    list.wake_star(mesh, v);
+  }
+  return moved;
+}
+
+struct InsideSweep {
+  std::uint64_t moved = 0;
+  std::vector<std::uint32_t> rest;  // those that are at the border of their block, ascending
+};
+
+// Moves the active vertices (ascending) that lie inside blocks.
+template <class Mover>
+InsideSweep sweep_inside_blocks(Mesh& mesh, SweepBlocks& blocks, WakeList& list, const Mover& mover,
+                                const std::vector<std::uint32_t>& active) {
+  return parallel::reduce_ordered(
+      blocks.count(), InsideSweep(),
+      [&](std::size_t block, std::size_t) {
+        InsideSweep result;
+        std::vector<std::uint32_t> inside;
+        for (const std::uint32_t v : SweepBlocks::of_block(block, active))
+          (blocks.inside(VertexId(v)) ? inside : result.rest).push_back(v);
+        result.moved = move_each(mesh, list, mover, inside);
+        return result;
+      },
+      [](InsideSweep sum, const InsideSweep& part) {
+        sum.moved += part.moved;
+        sum.rest.insert(sum.rest.end(), part.rest.begin(), part.rest.end());
+        return sum;
+      },
+      1);
+}
+
+// Each sweep: first the vertices inside blocks, block by block, then those between blocks, by colours.
 template <class Mover>
 SweepReport run_sweeps(Mesh& mesh, VertexColouring& colouring, const Mover& mover, int sweeps,
                        const Progress& progress) {
@@ -83,26 +163,21 @@ SweepReport run_sweeps(Mesh& mesh, VertexColouring& colouring, const Mover& move
   if (sweeps <= 0) return report;
   WakeList list(mesh.vertex_slots(), [&](VertexId v) { return mover.may_move(v); });
   mover.first_look(std::as_const(mesh), list);
+  SweepBlocks blocks(mesh);
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     progress.throw_if_cancelled();
     const std::vector<std::uint32_t> active = list.take();
     if (active.empty()) break;
     ++report.sweeps;
     report.visited += active.size();
-    colouring.extend(active);
-    for (const std::vector<std::uint32_t>& members : colouring.classes(active)) {
+    const auto [moved, rest] = sweep_inside_blocks(mesh, blocks, list, mover, active);
+    report.moved += moved;
+    colouring.extend(rest);
+    for (const std::vector<std::uint32_t>& members : colouring.classes(rest)) {
       report.moved += parallel::reduce_ordered(
           members.size(), std::uint64_t{0},
           [&](std::size_t begin, std::size_t end) {
-            Mover own = mover;
-            std::uint64_t moved = 0;
-            for (std::size_t i = begin; i < end; ++i) {
-              const VertexId v(members[i]);
-              if (!own.move(mesh, v)) continue;
-              ++moved;
-              list.wake_star(mesh, v);
-            }
-            return moved;
+            return move_each(mesh, list, mover, std::span(members).subspan(begin, end - begin));
           },
           [](std::uint64_t a, std::uint64_t b) { return a + b; }, kSweepChunk);
     }
