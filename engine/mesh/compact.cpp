@@ -88,20 +88,23 @@ class MeshCompactor {
     return {FaceId(new_face_[s.face().value()]), s.index()};
   }
 
+  // One array after the other: each is there twice while it is moved.
   void move_faces() {
-    std::vector<VertexId> corners(result_.old_face.size() * 4);
-    std::vector<SideId> neighbours(result_.old_face.size() * 4);
-    parallel::for_each(result_.old_face.size(), [&](std::size_t i) {
-      for (std::size_t k = 0; k < 4; ++k) {
-        const std::size_t from = std::size_t{result_.old_face[i]} * 4 + k;
-        const VertexId v = mesh_.corners_[from];
-        corners[i * 4 + k] = v.valid() ? VertexId(new_vertex_[v.value()]) : v;
-        neighbours[i * 4 + k] = renumbered(mesh_.neighbours_[from]);
-      }
-    });
-    mesh_.corners_ = std::move(corners);
-    mesh_.neighbours_ = std::move(neighbours);
+    mesh_.corners_ = gathered(mesh_.corners_,
+                              [&](VertexId v) { return v.valid() ? VertexId(new_vertex_[v.value()]) : v; });
+    mesh_.neighbours_ = gathered(mesh_.neighbours_, [&](SideId s) { return renumbered(s); });
     mesh_.face_tags_.gather(result_.old_face);
+  }
+
+  // Four values a face, of the faces that are left; renumber: what becomes of each.
+  template <class T, class Renumber>
+  std::vector<T> gathered(const std::vector<T>& values, const Renumber& renumber) const {
+    std::vector<T> result(result_.old_face.size() * 4);
+    parallel::for_each(result_.old_face.size(), [&](std::size_t i) {
+      for (std::size_t k = 0; k < 4; ++k)
+        result[i * 4 + k] = renumber(values[std::size_t{result_.old_face[i]} * 4 + k]);
+    });
+    return result;
   }
 
   void move_vertices() {
