@@ -29,8 +29,8 @@ TEST(SpacingField, IsEvenWhereCrossesAreParallel) {
     EXPECT_NEAR(s, 0, 1e-12);
 }
 
-// Between radius 1 and 2, with crosses that follow the circles: as many cells on each circle. Triangles with a
-// right angle, which are taken for equilateral ones, make a sixth less of it.
+// Between radius 1 and 2, with crosses that follow the circles: as many cells on each circle. Triangles with
+// a right angle, which are taken for equilateral ones, make a sixth less of it.
 TEST(SpacingField, GrowsWithTheRadiusOfCirclesThatCrossesFollow) {
   Mesh mesh = flat_square();
   std::vector<Vec3> directions;
