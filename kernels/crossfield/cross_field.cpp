@@ -11,7 +11,13 @@ namespace {
 
 using Crosses = std::vector<Vec2>;
 
-// One of Gauss-Seidel, class by class.
+Vec2 unit_or(Vec2 z, Vec2 otherwise) {
+  const double size = length(z);
+  return size > 0 ? (1 / size) * z : otherwise;
+}
+
+// One of Gauss-Seidel, class by class, with crosses of length 1: as they fade towards singularities in the
+// linear problem, they turn more beside them than they have to.
 void sweep(const FieldLevel& level, Crosses& z) {
   for (const auto& members : level.classes)
     parallel::for_each(
@@ -21,7 +27,7 @@ void sweep(const FieldLevel& level, Crosses& z) {
           Vec2 sum;
           for (std::uint32_t e = level.first[i]; e < level.first[i + 1]; ++e)
             sum = sum + complex_product(level.turn[e], z[level.other[e]]);
-          if (level.diagonal[i] > 0) z[i] = (1 / level.diagonal[i]) * sum;
+          z[i] = unit_or(sum, z[i]);
         },
         kFieldChunk);
 }
@@ -67,7 +73,8 @@ std::vector<Vec3> cross_field(std::span<const FieldLevel> levels, std::span<cons
     const FieldLevel& level = levels[l];
     parallel::for_each(level.size(), [&](std::size_t i) {
       if (level.given[i] == 0)
-        crosses[l][i] = complex_product(level.from_parent[i], crosses[l + 1][level.parent[i]]);
+        crosses[l][i] =
+            unit_or(complex_product(level.from_parent[i], crosses[l + 1][level.parent[i]]), {1, 0});
     });
     for (int s = 0; s < options.sweeps; ++s) sweep(level, crosses[l]);
   }

@@ -1,7 +1,8 @@
 // The smoothest field of crosses on a triangle mesh: at each vertex four directions a quarter turn apart, by
 // the complex number of four times their angle; rims and features are data, and nothing else is:
 //   F. Knöppel, K. Crane, U. Pinkall, P. Schröder: Globally optimal direction fields. ACM TOG 32(4), 2013.
-// The linear problem is solved directly on a coarse level of a hierarchy and swept over on the finer ones.
+// The linear problem is solved directly on a coarse level of a hierarchy; on the finer ones crosses of length
+// 1 are swept over.
 #pragma once
 
 #include <cstddef>

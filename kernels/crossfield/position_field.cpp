@@ -1,5 +1,7 @@
 #include "kernels/crossfield/position_field.hpp"
 
+#include <cmath>
+#include <cstdint>
 #include <utility>
 
 #include "engine/parallel/parallel.hpp"
@@ -13,67 +15,30 @@ double whole(double x) {
   constexpr double kRounder = 0x1.8p52;
   return (x + kRounder) - kRounder;
 }
+// Beside the nearest point of the lattice.
+Vec2 wrapped(Vec2 p) { return {p.x - whole(p.x), p.y - whole(p.y)}; }
 
-// A square lattice in a tangent plane.
-struct Lattice {
-  Vec3 at, normal;     // the vertex, and the normal there
-  Vec3 along, across;  // unit
-  double spacing;
-
-  [[nodiscard]] Vec3 moved(Vec3 origin, double i, double j) const {
-    return origin + (i * spacing) * along + (j * spacing) * across;
+// A vector by its coordinates along a cross and across it, as seen after so many quarter turns of the cross
+// to the left.
+Vec2 after_turns(Vec2 p, int turns) {
+  switch (turns) {
+    case 1:
+      return {p.y, -p.x};
+    case 2:
+      return {-p.x, -p.y};
+    case 3:
+      return {-p.y, p.x};
+    default:
+      return p;
   }
-  [[nodiscard]] Vec2 relative(Vec3 origin, Vec3 p) const {
-    const Vec3 d = p - origin;
-    return {dot(d, along) / spacing, dot(d, across) / spacing};
-  }
-  // The lattice point nearest to p.
-  [[nodiscard]] Vec3 nearest(Vec3 origin, Vec3 p) const {
-    const Vec2 r = relative(origin, p);
-    return moved(origin, whole(r.x), whole(r.y));
-  }
-  // The corner with the smallest coordinates of the cell around p.
-  [[nodiscard]] Vec3 before(Vec3 origin, Vec3 p) const {
-    const Vec2 r = relative(origin, p);
-    return moved(origin, whole(r.x - 0.5), whole(r.y - 0.5));
-  }
-};
-
-// The point of both tangent planes that is nearest to both vertices.
-Vec3 between(const Lattice& a, const Lattice& b) {
-  const double aa = dot(a.normal, a.at), ab = dot(a.normal, b.at);
-  const double ba = dot(b.normal, a.at), bb = dot(b.normal, b.at);
-  const double c = dot(a.normal, b.normal);
-  const double factor = 1 / (1 - c * c + 1e-4);
-  const double l = 2 * (ab - aa - c * (ba - bb)) * factor;
-  const double m = 2 * (ba - bb - c * (ab - aa)) * factor;
-  return 0.5 * (a.at + b.at) - 0.25 * (l * a.normal + m * b.normal);
 }
 
-// Of the corners of the cell of the first lattice around a place between the vertices that which has a point
-// of the second one nearest to it, and that point.
-std::pair<Vec3, Vec3> nearest_pair(const Lattice& a, Vec3 origin_a, const Lattice& b, Vec3 origin_b) {
-  const Vec3 middle = between(a, b);
-  const Vec3 low = a.before(origin_a, middle);
-  std::pair<Vec3, Vec3> best;
-  double least = -1;
-  for (int i = 0; i < 4; ++i) {
-    const Vec3 p = a.moved(low, i & 1, i >> 1);
-    const Vec3 q = b.nearest(origin_b, p);
-    const Vec3 d = q - p;
-    const double squared = dot(d, d);
-    if (least >= 0 && !(squared < least)) continue;
-    least = squared;
-    best = {p, q};
-  }
-  return best;
-}
-
-// What is known by vertex of a level.
+// What is known by vertex of a level. offsets: of the lattice point from the vertex, in spacings, along the
+// cross and across it.
 struct LevelData {
   std::vector<Vec3> crosses;
   std::vector<double> spacing;
-  std::vector<Vec3> places;
+  std::vector<Vec2> offsets;
 };
 
 // The direction that stands for those of a vertex's children.
@@ -91,20 +56,57 @@ LevelData coarser_data(const FieldLevel& fine, const FieldLevel& coarse, const L
   LevelData result;
   result.crosses.resize(coarse.size());
   result.spacing.resize(coarse.size());
-  result.places.resize(coarse.size());
+  result.offsets.resize(coarse.size());
   parallel::for_each(coarse.size(), [&](std::size_t i) {
     result.crosses[i] = cross_of_children(fine, coarse, i, data.crosses);
     for (const std::uint32_t child : coarse.children[i])
       if (child != FieldLevel::kNone)
         result.spacing[i] += fine.mass[child] / coarse.mass[i] * data.spacing[child];
-    result.places[i] = data.places[coarse.children[i][0]];
+    result.offsets[i] = data.offsets[coarse.children[i][0]];
   });
   return result;
 }
 
+// From a vertex to its neighbour in a row: the way there in spacings of the lattice between the two, along
+// the cross here and across it; and how many quarter turns to the left take the cross there to the one here.
+struct Step {
+  Vec2 way;
+  int turns;
+};
+
+Step step_between(const FieldLevel& level, const LevelData& data, std::size_t i, std::size_t j) {
+  const Vec3 along = data.crosses[i];
+  const Vec3 across = cross(level.normals[i], along);
+  Vec3 theirs = data.crosses[j];
+  Vec3 theirs_across = cross(level.normals[j], theirs);
+  const double c = dot(along, theirs);
+  const double s = dot(along, theirs_across);
+  Step step{{}, 0};
+  if (std::abs(s) > std::abs(c)) {
+    step.turns = s > 0 ? 1 : 3;
+    std::swap(theirs, theirs_across);
+    (s > 0 ? theirs_across : theirs) = -1.0 * (s > 0 ? theirs_across : theirs);
+  } else if (c < 0) {
+    step.turns = 2;
+    theirs = -1.0 * theirs;
+    theirs_across = -1.0 * theirs_across;
+  }
+  const Vec3 d = level.points[j] - level.points[i];
+  const double size = data.spacing[i] + data.spacing[j];
+  step.way = {dot(d, along + theirs) / size, dot(d, across + theirs_across) / size};
+  return step;
+}
+
 class PositionSweeper {
  public:
-  PositionSweeper(const FieldLevel& level, LevelData& data) : level_(level), data_(data) {}
+  PositionSweeper(const FieldLevel& level, LevelData& data)
+      : level_(level), offsets_(data.offsets), steps_(level.other.size()) {
+    parallel::for_each(level.size(), [&](std::size_t i) {
+      if (level.given[i] != 0) return;
+      for (std::uint32_t e = level.first[i]; e < level.first[i + 1]; ++e)
+        steps_[e] = step_between(level, data, i, level.other[e]);
+    });
+  }
 
   void sweep() {
     for (const auto& members : level_.classes)
@@ -113,33 +115,37 @@ class PositionSweeper {
   }
 
  private:
-  [[nodiscard]] Lattice lattice(std::uint32_t i, double spacing) const {
-    return {level_.points[i], level_.normals[i], data_.crosses[i], cross(level_.normals[i], data_.crosses[i]),
-            spacing};
-  }
-
+  // To the middle of where the neighbours see the lattice, one after the other: each has the point that is
+  // nearest to the middle of those before, which forgets where the vertex had its own.
   void average(std::uint32_t i) {
-    Vec3 sum = data_.places[i];
+    Vec2 middle = offsets_[i];
     double weights = 0;
     for (std::uint32_t e = level_.first[i]; e < level_.first[i + 1]; ++e) {
-      const std::uint32_t j = level_.other[e];
       const double w = level_.weight[e];
       if (!(w > 0)) continue;
-      const double spacing = 0.5 * (data_.spacing[i] + data_.spacing[j]);
-      const auto [mine, theirs] =
-          nearest_pair(lattice(i, spacing), sum, lattice(j, spacing), data_.places[j]);
-      sum = weights * mine + w * theirs;
+      const Step& step = steps_[e];
       weights += w;
-      sum = (1 / weights) * sum;
-      const Vec3 n = level_.normals[i];
-      sum = sum - dot(n, sum - level_.points[i]) * n;
+      const Vec2 seen = step.way + after_turns(offsets_[level_.other[e]], step.turns);
+      middle = middle + (w / weights) * wrapped(seen - middle);
     }
-    if (weights > 0) data_.places[i] = lattice(i, data_.spacing[i]).nearest(sum, level_.points[i]);
+    offsets_[i] = wrapped(middle);
   }
 
   const FieldLevel& level_;
-  LevelData& data_;
+  std::vector<Vec2>& offsets_;
+  std::vector<Step> steps_;
 };
+
+// The point of a lattice, and its offset.
+Vec3 place_of(const FieldLevel& level, const LevelData& data, std::size_t i) {
+  const Vec3 along = data.crosses[i];
+  const Vec2 p = data.spacing[i] * data.offsets[i];
+  return level.points[i] + p.x * along + p.y * cross(level.normals[i], along);
+}
+Vec2 offset_of(const FieldLevel& level, const LevelData& data, std::size_t i, Vec3 place) {
+  const Vec3 d = (1 / data.spacing[i]) * (place - level.points[i]);
+  return {dot(d, data.crosses[i]), dot(d, cross(level.normals[i], data.crosses[i]))};
+}
 
 }  // namespace
 
@@ -147,22 +153,25 @@ std::vector<Vec3> position_field(std::span<const FieldLevel> levels, std::span<c
                                  std::span<const double> spacing, std::span<const Vec3> places,
                                  const PositionFieldOptions& options) {
   std::vector<LevelData> data(levels.size());
-  data[0] = {
-      {crosses.begin(), crosses.end()}, {spacing.begin(), spacing.end()}, {places.begin(), places.end()}};
+  data[0] = {{crosses.begin(), crosses.end()}, {spacing.begin(), spacing.end()}, {}};
+  data[0].offsets.resize(levels[0].size());
+  parallel::for_each(levels[0].size(), [&](std::size_t i) {
+    if (levels[0].given[i] != 0) data[0].offsets[i] = offset_of(levels[0], data[0], i, places[i]);
+  });
   for (std::size_t l = 1; l < levels.size(); ++l)
     data[l] = coarser_data(levels[l - 1], levels[l], data[l - 1]);
-  std::vector<Vec3> result = levels.back().points;
+  std::vector<Vec3> result;
   for (std::size_t l = levels.size(); l-- > 0;) {
     const FieldLevel& level = levels[l];
-    std::vector<Vec3>& mine = data[l].places;
     parallel::for_each(level.size(), [&](std::size_t i) {
       if (level.given[i] != 0) return;
-      const Vec3 from = l + 1 < levels.size() ? result[level.parent[i]] : level.points[i];
-      mine[i] = from - dot(level.normals[i], from - level.points[i]) * level.normals[i];
+      data[l].offsets[i] =
+          result.empty() ? Vec2() : wrapped(offset_of(level, data[l], i, result[level.parent[i]]));
     });
     PositionSweeper sweeper(level, data[l]);
     for (int s = 0; s < options.sweeps; ++s) sweeper.sweep();
-    result = std::move(mine);
+    result.resize(level.size());
+    parallel::for_each(level.size(), [&](std::size_t i) { result[i] = place_of(level, data[l], i); });
   }
   return result;
 }

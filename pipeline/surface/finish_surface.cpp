@@ -1,6 +1,7 @@
 #include "pipeline/surface/finish_surface.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "engine/mesh/compact.hpp"
@@ -16,8 +17,16 @@ namespace {
 // A face whose scaled Jacobian is no more than this has no direction that means anything.
 constexpr double kFlat = 1e-3;
 
+// What of the surface is about as near to the middle of a face as the nearest point: this share of the size
+// of the face farther away, for faces that bend over an edge. But where faces are large, that would be what
+// faces the right way on the far side of a wall, or beyond a gap, and no excuse for a face that lies on the
+// other one: no more than this share of the size of the whole surface away along it, as far as a mesh may lie
+// from it.
+constexpr double kSlack = 0.5;
+constexpr double kReach = 3e-3;
+
 // Upside down on the surface: its own corners do not tell.
-bool lies_upside_down(const Mesh& mesh, const SurfaceModel& model, FaceId f) {
+bool lies_upside_down(const Mesh& mesh, const SurfaceModel& model, FaceId f, double reach) {
   const int count = mesh.corner_count(f);
   const auto corner = [&](int k) { return mesh.point3(mesh.corner(f, k)); };
   Vec3 middle;
@@ -26,7 +35,7 @@ bool lies_upside_down(const Mesh& mesh, const SurfaceModel& model, FaceId f) {
   for (int k = 0; k < count; ++k) size = std::max(size, length(corner(k) - middle));
   const Vec3 normal = count == 4 ? cross(corner(2) - corner(0), corner(3) - corner(1))
                                  : cross(corner(1) - corner(0), corner(2) - corner(0));
-  return !model.faces_along(middle, normal, 0.5 * size);
+  return !model.faces_along(middle, normal, kSlack * size, reach);
 }
 
 std::int32_t number_of(const CurveNetwork& network, PieceId curve, std::size_t lines) {
@@ -36,11 +45,13 @@ std::int32_t number_of(const CurveNetwork& network, PieceId curve, std::size_t l
 
 }  // namespace
 
-std::vector<FaceId> find_invalid_on_surface(const Mesh& mesh, const SurfaceModel& model) {
+std::vector<FaceId> find_invalid_on_surface(const Mesh& mesh, const SurfaceModel& model, double area) {
+  const double reach = kReach * std::sqrt(area);
   std::vector<FaceId> bad;
   for (const std::uint32_t i : parallel::filter_indices(mesh.face_slots(), [&](std::size_t i) {
          const FaceId f(i);
-         return mesh.alive(f) && (!(scaled_jacobian(mesh, f) > kFlat) || lies_upside_down(mesh, model, f));
+         return mesh.alive(f) &&
+                (!(scaled_jacobian(mesh, f) > kFlat) || lies_upside_down(mesh, model, f, reach));
        }))
     bad.emplace_back(i);
   return bad;

@@ -12,8 +12,9 @@
 namespace quarry {
 
 // The faces that are inverted or flat, or that lie upside down on the surface: where a wall or a gap is
-// thinner than the elements are long, nothing good may be left to be done. Ascending.
-[[nodiscard]] std::vector<FaceId> find_invalid_on_surface(const Mesh& mesh, const SurfaceModel& model);
+// thinner than the elements are long, nothing good may be left to be done. area: of the surface. Ascending.
+[[nodiscard]] std::vector<FaceId> find_invalid_on_surface(const Mesh& mesh, const SurfaceModel& model,
+                                                          double area);
 
 // Gives faces the tag "region": each part between features has the group that most of its faces lie on.
 // groups: of the triangles of the model.

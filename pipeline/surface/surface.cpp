@@ -36,7 +36,7 @@ constexpr double kImprintReach = 1;
 
 // How often a job is done with ever smaller elements where some were invalid. With more of them than that it
 // is no matter of single places.
-constexpr int kMostAttempts = 4;
+constexpr int kMostAttempts = 7;
 constexpr std::size_t kMostInvalid = 24;
 
 class SurfaceJob {
@@ -111,7 +111,7 @@ class SurfaceJob {
   void find_invalid(const SurfaceModel& model, const SurfaceSizes& sizes) {
     invalid_.clear();
     const Mesh& mesh = result_.mesh;
-    for (const FaceId f : find_invalid_on_surface(mesh, model)) {
+    for (const FaceId f : find_invalid_on_surface(mesh, model, area_)) {
       const Vec3 p = 0.5 * (mesh.point3(mesh.corner(f, 0)) + mesh.point3(mesh.corner(f, 2)));
       invalid_.push_back({p, 0.5 * sizes.at(model.nearest({p, Vec3()}))});
     }

@@ -11,6 +11,7 @@
 #include "engine/parallel/parallel.hpp"
 #include "kernels/crossfield/field_levels.hpp"
 #include "kernels/crossfield/singularities.hpp"
+#include "kernels/crossfield/spacing_field.hpp"
 #include "surface/lattice/chain_places.hpp"
 #include "surface/lattice/join_shared.hpp"
 
@@ -76,10 +77,22 @@ class LatticeFields {
     crosses_ = cross_field(levels_, directions, options_.crosses);
     report_.vertices = mesh_.count_alive_vertices();
     report_.singularities = find_singularities(mesh_, levels_[0], crosses_).size();
+    const std::vector<double> sources = spacing_sources(mesh_, levels_[0], crosses_);
     sew(mesh_, state_.base.tags);
+    fit_spacing(sources);
     for (const VertexId v : mesh_.vertices())
       if (mesh_.alive(v) && state_.base.tags.support[v].is_free()) state_.along[v] = crosses_[v.value()];
     report_.cross_seconds += watch.seconds();
+  }
+
+  // sources: by vertex of the mesh that was cut open. Those of the sides of a feature add up.
+  void fit_spacing(const std::vector<double>& sources) {
+    if (!(options_.spacing.most > 0)) return;
+    std::vector<double> sums(mesh_.vertex_slots());
+    for (std::size_t i = 0; i < sources.size(); ++i) sums[whole_[i].value()] += sources[i];
+    const std::vector<double> logarithms = spacing_field(mesh_, sums, options_.spacing);
+    parallel::for_each(mesh_.vertex_slots(),
+                       [&](std::size_t i) { state_.base.wanted[VertexId(i)] *= std::exp(logarithms[i]); });
   }
 
   void find_places() {

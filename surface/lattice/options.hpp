@@ -5,12 +5,15 @@
 
 #include "kernels/crossfield/cross_field.hpp"
 #include "kernels/crossfield/position_field.hpp"
+#include "kernels/crossfield/spacing_field.hpp"
 
 namespace quarry {
 
 struct LatticeOptions {
   CrossFieldOptions crosses = {};
   PositionFieldOptions positions = {};
+  // Of the cells, which are larger and smaller where the crosses turn.
+  SpacingFieldOptions spacing = {};
   // How many cells there are to be; 0: as many as the spacing gives. The spacing is corrected until they are
   // within so much of it, in at most so many attempts.
   double wanted_cells = 0;

@@ -1,5 +1,6 @@
 #include "surface/model/surface_model.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -56,13 +57,14 @@ SpacePoint SurfaceModel::with_normal(const SurfacePoint& p) const {
 
 SpacePoint SurfaceModel::project(const SpacePoint& p) const { return with_normal(nearest(p)); }
 
-bool SurfaceModel::faces_along(Vec3 place, Vec3 direction, double slack) const {
+bool SurfaceModel::faces_along(Vec3 place, Vec3 direction, double slack, double reach) const {
   const double size = length(direction);
   if (!(size > 0)) return false;
   ClosestQuery query;
   query.normal = (1 / size) * direction;
   query.least_cosine = 0;
-  query.radius = std::sqrt(tree_.closest(place).squared_distance) + slack;
+  const double squared = tree_.closest(place).squared_distance;
+  query.radius = std::min(std::sqrt(squared) + slack, std::sqrt(squared + reach * reach));
   return tree_.closest(place, query).triangle.valid();
 }
 

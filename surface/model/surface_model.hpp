@@ -2,6 +2,7 @@
 // point, and the normal there, which turns smoothly from triangle to triangle but for features.
 #pragma once
 
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -22,9 +23,11 @@ class SurfaceModel : public SpaceModel {
   // In two steps: the point and its triangle, and the normal there.
   [[nodiscard]] SurfacePoint nearest(const SpacePoint& p) const;
   [[nodiscard]] SpacePoint with_normal(const SurfacePoint& p) const;
-  // False if all of the surface that lies about as near to a place as its nearest point, by no more than the
-  // slack (input units), faces away from the direction: what faces so there lies upside down.
-  [[nodiscard]] bool faces_along(Vec3 place, Vec3 direction, double slack) const;
+  // False if all of the surface that lies about as near to a place as its nearest point faces away from the
+  // direction: what faces so there lies upside down. About as near: farther by no more than the slack, and,
+  // were the surface flat, within the reach of that point (both in input units).
+  [[nodiscard]] bool faces_along(Vec3 place, Vec3 direction, double slack,
+                                 double reach = std::numeric_limits<double>::infinity()) const;
 
   // Its own points that are on no feature, with the normals there.
   [[nodiscard]] std::span<const SpacePoint> free_points() const { return free_points_; }

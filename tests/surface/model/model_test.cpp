@@ -58,6 +58,9 @@ TEST(SurfaceModel, LetsBothSidesOfAThinWallFaceTheirWay) {
     // The other side is nearer than the slack.
     EXPECT_TRUE(wall.model.faces_along({0, 0, 0.01 * side}, {0, 0, -side}, 0.1));
     EXPECT_FALSE(wall.model.faces_along({0, 0, 0.01 * side}, {0, 0, -side}, 0.001));
+    // It is, but beyond the reach.
+    EXPECT_TRUE(wall.model.faces_along({0, 0, 0.01 * side}, {0, 0, -side}, 0.1, 0.1));
+    EXPECT_FALSE(wall.model.faces_along({0, 0, 0.01 * side}, {0, 0, -side}, 0.1, 0.001));
   }
 }
 
