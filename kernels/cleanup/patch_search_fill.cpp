@@ -10,9 +10,6 @@
 namespace quarry {
 namespace {
 
-// Each cut doubles the ways.
-constexpr std::size_t kMostCuts = 4;
-
 PatchReject no_solution(std::uint32_t sides) {
   return static_cast<PatchReject>(static_cast<std::uint32_t>(PatchReject::kNoSolution3) + sides - 3);
 }
@@ -26,13 +23,14 @@ std::uint32_t apex_place(const PatchSides& sides, const PatchFill& fill, std::si
 
 bool PatchSearch::survey(PatchReport& report) {
   outer_.count = 0;
-  if (!growth_.is_disk()) {
-    report.reject(PatchReject::kNoDisk);
-    return false;
-  }
   // No fill changes the charge, and none has less energy than the charge asks for.
   if (!stars_->has_price() && growth_.energy() <= std::abs(growth_.charge())) {
     report.reject(PatchReject::kNoGain);
+    return false;
+  }
+  corners_ = count_corners();
+  if (!can_have_sides(corners_.outer) && !can_have_sides(corners_.inner) && !corners_.cuts_may_help()) {
+    report.reject(corners_.outer < 3 ? PatchReject::kFewSides : PatchReject::kManySides);
     return false;
   }
   growth_.walk_rim(rim_);
@@ -40,17 +38,28 @@ bool PatchSearch::survey(PatchReport& report) {
   return true;
 }
 
+PatchSearch::CornerCounts PatchSearch::count_corners() {
+  CornerCounts counts;
+  for (const VertexId v : growth_.rim_vertices()) {
+    const int angle = growth_.outer_angle(v);
+    if (angle > 0) ++counts.outer;
+    if (angle < 0) counts.reflex += -angle;
+    if (growth_.inside(v) == 1) ++counts.inner;
+  }
+  return counts;
+}
+
 bool PatchSearch::try_fills(Candidate& found, PatchReport& report) {
   const PatchRing ring = ring_of_rim();
   found.cuts.clear();
-  if (std::any_of(ring.targets.begin(), ring.targets.end(), [](std::uint8_t t) { return t > 2; })) {
+  if (corners_.cuts_may_help()) {
     if (try_cuts(ring, found, report)) return true;
     found.cuts.clear();
     if (met_refused_) return false;
   }
   rest_ = ring;
   if (try_sides(outer_, found, report)) return true;
-  if (met_refused_) return false;
+  if (met_refused_ || !can_have_sides(corners_.inner)) return false;
   const PatchSides inner = find_sides(growth_, rim_, CornerRule::kInnerFaces);
   return inner != outer_ && try_sides(inner, found, report);
 }
@@ -101,7 +110,7 @@ bool PatchSearch::try_cuts(const PatchRing& ring, Candidate& candidate, PatchRep
     rest_ = ring;
     return try_sides(find_sides(ring), candidate, report);
   }
-  if (candidate.cuts.size() == kMostCuts) return false;
+  if (candidate.cuts.size() == std::size_t{kMostCuts}) return false;
   for (const bool mirrored : {false, true}) {
     const auto cut = find_cut(ring, static_cast<std::uint32_t>(reflex - ring.targets.begin()), mirrored);
     if (!cut) continue;
