@@ -117,21 +117,20 @@ class PatchSearch {
   [[nodiscard]] bool try_fills(Candidate& found, PatchReport& report);
   [[nodiscard]] bool try_sides(const PatchSides& sides, Candidate& found, PatchReport& report);
   // Cuts grids off at reflex vertices, in all ways, and fills what is left.
-  [[nodiscard]] bool try_cuts(const PatchRing& ring, Candidate& candidate, PatchReport& report);
+  [[nodiscard]] bool try_cuts(Candidate& candidate, PatchReport& report);
   [[nodiscard]] bool accept(Candidate& candidate, PatchReport& report);
-  [[nodiscard]] PatchRing ring_of_rim() const;
+  void set_ring_of_rim();
   void build_layout(const Candidate& candidate) {
     layout_.build(candidate.fill, static_cast<std::uint32_t>(rim_.size()), candidate.cuts,
                   candidate.sides.corner_places());
   }
   // True if a fill of so many faces does not change the sizes of elements too much.
   [[nodiscard]] bool in_band(std::uint64_t faces) const;
-  [[nodiscard]] std::optional<PatchFill> choose_fill(const PatchSides& sides) const;
-  [[nodiscard]] std::optional<PatchFill> choose_pair(const PatchSides& sides) const;
-  [[nodiscard]] double energy_of_apex(std::uint32_t id) const;
+  [[nodiscard]] std::optional<PatchFill> choose_fill(const PatchSides& sides, std::size_t cuts) const;
+  [[nodiscard]] std::optional<PatchFill> choose_pair(const PatchSides& sides, const PatchRing& rest) const;
+  [[nodiscard]] double energy_of_apex(std::uint32_t id, bool with_cuts) const;
   [[nodiscard]] std::uint64_t count_fresh(const Candidate& candidate) const;
   [[nodiscard]] double energy_of(const Candidate& candidate);
-  [[nodiscard]] double energy_with_cuts(const Candidate& candidate);
   [[nodiscard]] double defect_price(const Candidate& candidate);
   [[nodiscard]] bool joins_twice(const Candidate& candidate);
   [[nodiscard]] PatchProposal propose(const Candidate& candidate);
@@ -156,8 +155,7 @@ class PatchSearch {
   PatchSides outer_;      // by the outer angles, of the last stage; no sides if not walked
   std::vector<std::vector<VertexId>> paths_;  // to the partners, nearest first
   std::vector<VertexId> ring_, rim_;
-  PatchRing rest_;              // what the cuts tried last leave of the rim
-  std::vector<int> new_faces_;  // by local number
+  std::array<PatchRing, kMostCuts + 1> rings_;  // the rim, and what the cuts tried last leave of it
 };
 
 }  // namespace quarry
