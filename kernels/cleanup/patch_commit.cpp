@@ -15,8 +15,14 @@ namespace {
 constexpr int kWideRows = 24;
 constexpr int kMostSweeps = 256;
 // More sweeps only where the first ones have come within this share of what is wanted: of the fills that are
-// farther off one in a hundred gets there, at the price of most of the work.
+// farther off one in a hundred gets there, at the price of most of the work. And only as long as such a share
+// of what is missing comes with each round.
 constexpr double kHopeful = 0.8;
+constexpr double kLeastProgress = 0.25;
+// Fills are looked at after so many sweeps, and given up where edges are then more unequal than may be by
+// this factor: one in sixty would become good.
+constexpr int kFirstSweeps = 2;
+constexpr double kHopelessRatio = 1.75;
 
 }  // namespace
 
@@ -69,7 +75,8 @@ void PatchCommit<Model>::apply(MeshEditor& editor, Item item, const Plan& /*plan
   const PatchProposal& proposal = proposals_[item];
   const typename ScratchPool<Worker>::Loan worker(workers_);
   const double before = smallest_before(editor, proposal);
-  const double ratio = largest_edge_ratio(editor.mesh(), proposal.faces);
+  const double ratio =
+      std::max(options_->largest_edge_ratio, largest_edge_ratio(editor.mesh(), proposal.faces));
   const double longest = longest_allowed(editor.mesh(), proposal.faces);
   const double energy = energy_of(editor.mesh(), proposal.inner) + energy_of(editor.mesh(), proposal.rim);
   save(editor, proposal, *worker);
@@ -77,11 +84,9 @@ void PatchCommit<Model>::apply(MeshEditor& editor, Item item, const Plan& /*plan
   const std::span<const FaceId> made =
       worker->replacer.replace(editor, tags_, proposal.faces, worker->fresh, ids);
   const double wanted = std::min(options_->least_jacobian, before);
-  const double after = smallest_after(editor, made, wanted, *worker);
-  const bool good =
-      after > 0 && after >= wanted &&
-      largest_edge_ratio(editor.mesh(), made) <= std::max(options_->largest_edge_ratio, ratio) &&
-      (options_->longest_edge == 0 || longest_edge(editor.mesh(), made) <= longest);
+  const double after = smallest_after(editor, made, wanted, ratio, *worker);
+  const bool good = after > 0 && after >= wanted && largest_edge_ratio(editor.mesh(), made) <= ratio &&
+                    (options_->longest_edge == 0 || longest_edge(editor.mesh(), made) <= longest);
   if (good)
     for (const VertexId v : worker->vertices) stars_->update(editor.mesh(), v);
   const bool gains = good && energy_of(editor.mesh(), worker->vertices) < energy;
@@ -163,7 +168,7 @@ double PatchCommit<Model>::smallest_before(const MeshEditor& editor, const Patch
 
 template <GeometryModel Model>
 double PatchCommit<Model>::smallest_after(MeshEditor& editor, std::span<const FaceId> made, double wanted,
-                                          Worker& worker) const {
+                                          double ratio, Worker& worker) const {
   double smallest = 1;
   // The smoother does not look at faces that it cannot change.
   const auto moves = [&](VertexId v) { return !editor.mesh().on_boundary(v) && !stars_->pinned(v); };
@@ -176,13 +181,22 @@ double PatchCommit<Model>::smallest_after(MeshEditor& editor, std::span<const Fa
   // A sweep carries a change over one row: wide patches get more of them, and many more if they need them.
   const int rows = static_cast<int>(std::sqrt(static_cast<double>(made.size())));
   LocalShapeOptions smoothing = options_->smoothing;
-  smoothing.sweeps = std::max(smoothing.sweeps, rows > kWideRows ? rows / 2 : 0);
+  const int sweeps = std::max(smoothing.sweeps, rows > kWideRows ? rows / 2 : 0);
   const int most = std::min(3 * rows, kMostSweeps);
-  double smoothed = worker.smoother.run(editor, worker.movable, smoothing);
-  for (int spent = smoothing.sweeps; smoothed < wanted && smoothed > kHopeful * wanted && spent < most;
-       spent += smoothing.sweeps) {
-    smoothing.sweeps = std::min(spent, most - spent);
-    smoothed = worker.smoother.run(editor, worker.movable, smoothing);
+  const auto smooth = [&](int more) {
+    smoothing.sweeps = more;
+    return worker.smoother.run(editor, worker.movable, smoothing);
+  };
+  const int first = std::min(kFirstSweeps, sweeps);
+  double smoothed = smooth(first);
+  if (!(smoothed > 0) || largest_edge_ratio(editor.mesh(), made) > kHopelessRatio * ratio) return 0;
+  if (sweeps > first) smoothed = smooth(sweeps - first);
+  for (int spent = sweeps; smoothed < wanted && smoothed > kHopeful * wanted && spent < most;) {
+    const double before = smoothed;
+    const int more = std::min(spent, most - spent);
+    smoothed = smooth(more);
+    if (smoothed - before < kLeastProgress * (wanted - before)) break;
+    spent += more;
   }
   return std::min(smallest, smoothed);
 }

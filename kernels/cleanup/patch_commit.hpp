@@ -45,8 +45,9 @@ class PatchCommit {
   void save(const MeshEditor& editor, const PatchProposal& proposal, Worker& worker) const;
   void restore(MeshEditor& editor, const PatchProposal& proposal, const Worker& worker) const;
   [[nodiscard]] double smallest_before(const MeshEditor& editor, const PatchProposal& proposal) const;
+  // Not positive, too, where no sweeps would help. ratio: as unequal as edges may be.
   [[nodiscard]] double smallest_after(MeshEditor& editor, std::span<const FaceId> made, double wanted,
-                                      Worker& worker) const;
+                                      double ratio, Worker& worker) const;
   [[nodiscard]] double largest_edge_ratio(const Mesh& mesh, std::span<const FaceId> faces) const;
   [[nodiscard]] double longest_edge(const Mesh& mesh, std::span<const FaceId> faces) const;
   // How long edges may become in the place of these faces, by the options.

@@ -1,6 +1,7 @@
 #include "kernels/cleanup/patch_growth.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 
 namespace quarry {
@@ -12,7 +13,7 @@ void PatchGrowth::begin(const Mesh& mesh, const PatchStars& stars, std::size_t l
   taken_.clear(mesh.face_slots());
   counts_.clear(mesh.vertex_slots());
   vertices_ = edges_ = 0;
-  charge_ = 0;
+  charge_ = reflex_ = 0;
   energy_ = 0;
   faces_.clear();
   members_.clear();
@@ -34,20 +35,21 @@ bool PatchGrowth::add_face(FaceId f) {
   if (faces_.size() == largest_ || mesh_->corner_count(f) != 4) return false;
   taken = true;
   faces_.push_back(f);
-  for (int i = 0; i < 4; ++i) {
-    const VertexId v = mesh_->corner(f, i);
-    if (++counts_.at(v).faces == 1) meet(v);
+  std::array<Counts*, 4> counts;
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    const VertexId v = mesh_->corner(f, static_cast<int>(i));
+    counts[i] = &counts_.at(v);
+    if (++counts[i]->faces == 1) meet(v);
+    if (counts[i]->faces == stars_->faces(v) && stars_->on_boundary(v))
+      reflex_ += std::max(0, stars_->ideal(v) - 2);
     work_.push_back(v);
   }
-  for (int i = 0; i < 4; ++i) {
-    const SideId s(f, i);
-    const SideId across = mesh_->neighbour(s);
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    const SideId across = mesh_->neighbour(SideId(f, static_cast<int>(i)));
     const bool inner = across.valid() && contains(across.face());
-    if (!inner) ++edges_;
-    for (const VertexId v : {mesh_->origin(s), mesh_->target(s)}) {
-      std::uint16_t& rim_edges = counts_.at(v).rim_edges;
-      rim_edges = static_cast<std::uint16_t>(inner ? rim_edges - 1 : rim_edges + 1);
-    }
+    edges_ += inner ? 0 : 1;
+    for (Counts* end : {counts[i], counts[(i + 1) % 4]})
+      end->rim_edges = static_cast<std::uint16_t>(inner ? end->rim_edges - 1 : end->rim_edges + 1);
   }
   return true;
 }

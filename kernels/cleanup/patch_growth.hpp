@@ -56,6 +56,8 @@ class PatchGrowth {
   [[nodiscard]] bool on_rim(VertexId v) const { return counts_.get(v).rim_edges != 0; }
   // Sum of ideal - faces over the patch: with every outer angle met, the patch has 4 - this sides.
   [[nodiscard]] int charge() const { return charge_; }
+  // Faces beyond two that boundary vertices are to have, of those that keep none outside. It never falls.
+  [[nodiscard]] int reflex() const { return reflex_; }
   // Valence energy of the patch, rim included.
   [[nodiscard]] double energy() const { return energy_; }
   [[nodiscard]] VertexId smallest_irregular() const;
@@ -73,7 +75,7 @@ class PatchGrowth {
   const PatchStars* stars_ = nullptr;
   std::size_t largest_ = 0;
   std::int64_t vertices_ = 0, edges_ = 0;
-  int charge_ = 0;
+  int charge_ = 0, reflex_ = 0;
   double energy_ = 0;
   PagedArray<FaceId, bool> taken_;
   PagedArray<VertexId, Counts> counts_;  // no face: not met

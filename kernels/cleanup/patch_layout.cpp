@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <numeric>
+#include <utility>
 
 namespace quarry {
 namespace {
@@ -51,7 +52,8 @@ void PatchLayout::add_cut(const PatchCut& cut) {
     add_grid(reversed(near), far, side, wall);
   else
     add_grid(near, reversed(far), wall, side);
-  ring_ = cut_off(ring_, cut, next);
+  cut_off(ring_, cut, next, left_);
+  std::swap(ring_, left_);
 }
 
 PatchLayout::Chain PatchLayout::side_chain(std::span<const std::uint32_t> corners, std::size_t side) const {

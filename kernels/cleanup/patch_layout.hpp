@@ -65,6 +65,7 @@ class PatchLayout {
 
   std::uint32_t rim_ = 0, vertices_ = 0;
   PatchRing ring_;  // what is left to be filled
+  PatchRing left_;  // memory for the next one
   Centre centre_;
   std::vector<Quad> quads_;
   std::vector<Line> lines_;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "engine/base/log.hpp"
+#include "engine/base/random.hpp"
 #include "engine/base/stopwatch.hpp"
 #include "engine/parallel/parallel.hpp"
 #include "kernels/cleanup/balance.hpp"
@@ -22,6 +23,10 @@ constexpr std::size_t kSmallestChunk = 4, kLargestChunk = 64;
 constexpr std::size_t kSearchChunks = 64;
 // Commits a chunk: each smooths its patch.
 constexpr std::size_t kCommitChunk = 2;
+// Neighbours find patches that overlap, of which a wave commits one: each wave has every fourth seed, by lot,
+// and those that are regular by then need no search.
+constexpr std::uint32_t kLots = 4;
+constexpr std::size_t kSmallestWave = 64;
 // Seeds of a wave: what they find is held until it is committed, and is as large as the class allows.
 constexpr std::size_t kLargestWave = std::size_t{1} << 15;
 constexpr std::size_t kFacesHeld = std::size_t{1} << 24;
@@ -52,7 +57,11 @@ class PatchRemesher {
     if (static_cast<double>(pending.size()) * static_cast<double>(options_.largest) >
         options_.most_work * static_cast<double>(faces_))
       options_.directions = 0;
-    const std::size_t wave = std::clamp<std::size_t>(kFacesHeld / options_.largest, 16, kLargestWave);
+    std::stable_sort(pending.begin(), pending.end(),
+                     [](std::uint32_t a, std::uint32_t b) { return mix32(a) % kLots < mix32(b) % kLots; });
+    const std::size_t wave =
+        std::min(std::clamp<std::size_t>(kFacesHeld / options_.largest, 16, kLargestWave),
+                 std::max(kSmallestWave, pending.size() / kLots + 1));
     while (!pending.empty()) {
       progress.throw_if_cancelled();
       const std::size_t count = std::min(wave, pending.size());

@@ -12,7 +12,7 @@ namespace quarry {
 enum class PatchReject : std::uint8_t {
   kNoDisk,       // a hole, or a line inside
   kFewSides,     // fewer than three
-  kManySides,    // more than six
+  kManySides,    // more than six, or more reflex corners than cuts take away
   kNoSolution3,  // the closed form has no whole numbers; by sides
   kNoSolution4,
   kNoSolution5,

@@ -1,6 +1,7 @@
 #include "kernels/cleanup/patch_ring.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 namespace quarry {
 
@@ -33,8 +34,10 @@ std::optional<PatchCut> find_cut(const PatchRing& ring, std::uint32_t at, bool m
   return cut;
 }
 
-PatchRing cut_off(const PatchRing& ring, const PatchCut& cut, std::uint32_t next) {
-  PatchRing left;
+void cut_off(const PatchRing& ring, const PatchCut& cut, std::uint32_t next, PatchRing& left) {
+  assert(&left != &ring);
+  left.ids.clear();
+  left.targets.clear();
   const std::size_t end = 2 * std::size_t{cut.across} + cut.along;
   const auto add = [&](std::size_t steps, int fewer) {
     const std::size_t at = ring.place(cut, steps);
@@ -53,7 +56,6 @@ PatchRing cut_off(const PatchRing& ring, const PatchCut& cut, std::uint32_t next
     std::reverse(left.ids.begin(), left.ids.end());
     std::reverse(left.targets.begin(), left.targets.end());
   }
-  return left;
 }
 
 }  // namespace quarry

@@ -37,7 +37,8 @@ struct PatchRing {
 // the way, or the wall would end in a corner.
 [[nodiscard]] std::optional<PatchCut> find_cut(const PatchRing& ring, std::uint32_t at, bool mirrored);
 
-// What is left of the ring. The inner vertices of the wall get the numbers from `next` on, from r to q.
-[[nodiscard]] PatchRing cut_off(const PatchRing& ring, const PatchCut& cut, std::uint32_t next);
+// What is left of the ring, in the memory of another one. The inner vertices of the wall get the numbers from
+// `next` on, from r to q.
+void cut_off(const PatchRing& ring, const PatchCut& cut, std::uint32_t next, PatchRing& left);
 
 }  // namespace quarry

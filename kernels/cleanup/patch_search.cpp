@@ -72,6 +72,7 @@ PatchSearch::Growth PatchSearch::grow_on(Direction direction, Candidate& found, 
   bool growing = true;
   for (int rings = 0; growing && growth_.make_convex(); ++rings) {
     if (!direction.to.valid() && rings > most_rings) return Growth::kFailed;
+    if (is_hopeless(report)) return Growth::kFailed;
     sign_faces();
     const std::uint64_t course = course_of(direction);
     if (courses_here_.contains(course) || memory_->knows_course(course)) return Growth::kFailed;
@@ -86,6 +87,17 @@ PatchSearch::Growth PatchSearch::grow_on(Direction direction, Candidate& found, 
     growing = direction.by_rows() ? add_row() : add_ring(direction);
   }
   return Growth::kFailed;
+}
+
+// A line inside remains there, and so does what tips and reflex corners on the rim ask for.
+bool PatchSearch::is_hopeless(PatchReport& report) const {
+  if (!growth_.is_disk()) {
+    report.reject(PatchReject::kNoDisk);
+    return true;
+  }
+  if (growth_.reflex() <= kMostCuts) return false;
+  report.reject(PatchReject::kManySides);
+  return true;
 }
 
 bool PatchSearch::look(Direction direction, Candidate& found, PatchReport& report) {
@@ -145,7 +157,6 @@ bool PatchSearch::add_ring(Direction limit) {
 // False if nothing can be added.
 bool PatchSearch::add_row() {
   const Direction everywhere{growth_.vertices().front(), VertexId()};
-  if (!growth_.is_disk()) return add_ring(everywhere);
   growth_.walk_rim(rim_);
   const auto corner =
       std::find_if(rim_.begin(), rim_.end(), [&](VertexId v) { return growth_.outer_angle(v) > 0; });

@@ -27,6 +27,9 @@
 
 namespace quarry {
 
+// Each cut doubles the ways in which a patch is filled.
+inline constexpr int kMostCuts = 4;
+
 struct PatchProposal {
   VertexId seed;  // the smallest irregular vertex of the patch, rim included
   std::vector<FaceId> faces;
@@ -76,11 +79,24 @@ class PatchSearch {
     [[nodiscard]] bool by_rows() const { return to.valid() && to == from; }
     [[nodiscard]] bool one_sided() const { return to.valid() && to != from; }
   };
+  // Of the rim, whose order these do not ask for.
+  struct CornerCounts {
+    int outer = 0, inner = 0;  // by either rule
+    int reflex = 0;            // faces beyond two that rim vertices are to get inside
+    // A cut takes two corners away, makes one of a side or takes one face beyond two, and takes another such
+    // face: the sides that are left at last do not depend on how cuts are made.
+    [[nodiscard]] bool cuts_may_help() const { return reflex > 0 && can_have_sides(outer - reflex); }
+  };
+  [[nodiscard]] static bool can_have_sides(int corners) {
+    return corners >= 3 && corners <= static_cast<int>(kMostSides);
+  }
   enum class Growth : std::uint8_t { kFailed, kFits, kRepeats };
 
   [[nodiscard]] Growth grow(const std::vector<VertexId>& path, Direction direction, Candidate& found,
                             PatchReport& report);
   [[nodiscard]] Growth grow_on(Direction direction, Candidate& found, PatchReport& report);
+  // Whether neither this stage nor any that it grows into can be filled.
+  [[nodiscard]] bool is_hopeless(PatchReport& report) const;
   // One stage: true if it has a fill that gains something.
   [[nodiscard]] bool look(Direction direction, Candidate& found, PatchReport& report);
   void sign_faces();
@@ -94,26 +110,27 @@ class PatchSearch {
   [[nodiscard]] Row row_along(std::size_t begin) const;
   // Adds a row along each side whose pushing lengthens a spoke that is too short. False if there is none.
   [[nodiscard]] bool push_sides(bool& growing);
-  // Walks the rim and finds its sides. False if no fill can gain anything.
+  // Counts corners, walks the rim and finds its sides. False if no fill can gain anything, or none has as few
+  // sides as it would need.
   [[nodiscard]] bool survey(PatchReport& report);
+  [[nodiscard]] CornerCounts count_corners();
   [[nodiscard]] bool try_fills(Candidate& found, PatchReport& report);
   [[nodiscard]] bool try_sides(const PatchSides& sides, Candidate& found, PatchReport& report);
   // Cuts grids off at reflex vertices, in all ways, and fills what is left.
-  [[nodiscard]] bool try_cuts(const PatchRing& ring, Candidate& candidate, PatchReport& report);
+  [[nodiscard]] bool try_cuts(Candidate& candidate, PatchReport& report);
   [[nodiscard]] bool accept(Candidate& candidate, PatchReport& report);
-  [[nodiscard]] PatchRing ring_of_rim() const;
+  void set_ring_of_rim();
   void build_layout(const Candidate& candidate) {
     layout_.build(candidate.fill, static_cast<std::uint32_t>(rim_.size()), candidate.cuts,
                   candidate.sides.corner_places());
   }
   // True if a fill of so many faces does not change the sizes of elements too much.
   [[nodiscard]] bool in_band(std::uint64_t faces) const;
-  [[nodiscard]] std::optional<PatchFill> choose_fill(const PatchSides& sides) const;
-  [[nodiscard]] std::optional<PatchFill> choose_pair(const PatchSides& sides) const;
-  [[nodiscard]] double energy_of_apex(std::uint32_t id) const;
+  [[nodiscard]] std::optional<PatchFill> choose_fill(const PatchSides& sides, std::size_t cuts) const;
+  [[nodiscard]] std::optional<PatchFill> choose_pair(const PatchSides& sides, const PatchRing& rest) const;
+  [[nodiscard]] double energy_of_apex(std::uint32_t id, bool with_cuts) const;
   [[nodiscard]] std::uint64_t count_fresh(const Candidate& candidate) const;
   [[nodiscard]] double energy_of(const Candidate& candidate);
-  [[nodiscard]] double energy_with_cuts(const Candidate& candidate);
   [[nodiscard]] double defect_price(const Candidate& candidate);
   [[nodiscard]] bool joins_twice(const Candidate& candidate);
   [[nodiscard]] PatchProposal propose(const Candidate& candidate);
@@ -134,11 +151,11 @@ class PatchSearch {
   std::uint64_t signature_ = 0;         // of its first signed_ faces
   std::size_t signed_ = 0;
   bool met_refused_ = false;
-  PatchSides outer_;  // by the outer angles, of the last stage; no sides if not walked
+  CornerCounts corners_;  // of the last stage that was surveyed
+  PatchSides outer_;      // by the outer angles, of the last stage; no sides if not walked
   std::vector<std::vector<VertexId>> paths_;  // to the partners, nearest first
   std::vector<VertexId> ring_, rim_;
-  PatchRing rest_;              // what the cuts tried last leave of the rim
-  std::vector<int> new_faces_;  // by local number
+  std::array<PatchRing, kMostCuts + 1> rings_;  // the rim, and what the cuts tried last leave of it
 };
 
 }  // namespace quarry

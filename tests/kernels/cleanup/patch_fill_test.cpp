@@ -258,7 +258,8 @@ TEST(PatchCuts, LeaveAGridOfAnLWhicheverWayTheyAreMade) {
     for (const bool mirrored : {false, true}) {
       const auto cut = find_cut(ring, 0, mirrored);
       ASSERT_TRUE(cut.has_value());
-      const PatchRing left = cut_off(ring, *cut, rim);
+      PatchRing left;
+      cut_off(ring, *cut, rim, left);
       Lengths corners, lengths;
       for (std::uint32_t i = 0; i < left.size(); ++i)
         if (left.targets[i] == 1) corners.push_back(i);

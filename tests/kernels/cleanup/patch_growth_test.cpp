@@ -33,7 +33,7 @@ void expect_counters_of(const PatchGrowth& growth, const Mesh& mesh, const Patch
       ++rim_ends[mesh.target(s)];
     }
   }
-  int charge = 0;
+  int charge = 0, reflex = 0;
   double energy = 0;
   EXPECT_EQ(growth.vertices().size(), inside.size());
   for (const auto& [v, faces] : inside) {
@@ -41,7 +41,9 @@ void expect_counters_of(const PatchGrowth& growth, const Mesh& mesh, const Patch
     EXPECT_EQ(growth.on_rim(v), rim_ends.contains(v));
     charge += stars.ideal(v) - stars.faces(v);
     energy += valence_energy(stars.faces(v), stars.ideal(v));
+    if (growth.on_rim(v) && growth.outside(v) == 0) reflex += std::max(0, stars.ideal(v) - 2);
   }
+  EXPECT_EQ(growth.reflex(), reflex);
   EXPECT_EQ(growth.charge(), charge);
   EXPECT_EQ(growth.energy(), energy);
   const auto euler = static_cast<int>(inside.size()) - static_cast<int>(edges.size()) +
@@ -49,22 +51,32 @@ void expect_counters_of(const PatchGrowth& growth, const Mesh& mesh, const Patch
   EXPECT_EQ(growth.is_disk(), euler == 1);
 }
 
-TEST(PatchGrowth, KeepsTheCountersThatARecountFinds) {
-  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    const Mesh mesh = test::disk_of_quads(600, seed);
-    const PatchStars stars(mesh, {});
-    PatchGrowth growth;
-    for (std::uint64_t round = 0; round < 20; ++round) {
-      growth.begin(mesh, stars, 400);
-      for (std::uint64_t step = 0; step < 6; ++step) {
-        const auto v = static_cast<std::uint32_t>(uniform01(seed, 100 * round + step) *
-                                                  static_cast<double>(mesh.vertex_slots()));
-        if (!growth.add_star(VertexId(v))) break;
-        expect_counters_of(growth, mesh, stars);
-      }
+// Returns the most faces beyond two that tips and reflex corners of a patch asked for.
+int grow_anywhere_in(const Mesh& mesh, std::uint64_t seed) {
+  const PatchStars stars(mesh, {});
+  PatchGrowth growth;
+  int most = 0;
+  for (std::uint64_t round = 0; round < 20; ++round) {
+    growth.begin(mesh, stars, 400);
+    for (std::uint64_t step = 0; step < 6; ++step) {
+      const auto v = static_cast<std::uint32_t>(uniform01(seed, 100 * round + step) *
+                                                static_cast<double>(mesh.vertex_slots()));
+      if (!growth.add_star(VertexId(v))) break;
+      expect_counters_of(growth, mesh, stars);
+      most = std::max(most, growth.reflex());
     }
   }
+  return most;
+}
+
+TEST(PatchGrowth, KeepsTheCountersThatARecountFinds) {
+  int reflex = 0;
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    grow_anywhere_in(test::disk_of_quads(600, seed), seed);
+    reflex = std::max(reflex, grow_anywhere_in(test::cut_network(seed).mesh, seed));
+  }
+  EXPECT_GE(reflex, 2) << "no patch has taken in all faces of a tip";
 }
 
 TEST(PatchGrowth, EndsConvexWithARimThatIsOneLoop) {

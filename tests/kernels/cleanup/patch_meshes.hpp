@@ -1,5 +1,5 @@
 // Quad meshes with many irregular vertices, for tests of patches: the three-way split of a Delaunay
-// triangulation of a disk, of a square, or of an L.
+// triangulation of a disk, of a square, or of an L; and quads between lines.
 #pragma once
 
 #include <cmath>
@@ -10,10 +10,14 @@
 
 #include "engine/base/random.hpp"
 #include "engine/mesh/constraint.hpp"
+#include "engine/mesh/sectors.hpp"
 #include "kernels/cleanup/ideal.hpp"
+#include "kernels/cluster/merge.hpp"
+#include "kernels/cluster/pairing.hpp"
 #include "kernels/cluster/subdivide.hpp"
 #include "kernels/initial/delaunay.hpp"
 #include "kernels/initial/triangulation.hpp"
+#include "tests/support/synthetic_mesh.hpp"
 
 namespace quarry::test {
 
@@ -46,6 +50,19 @@ inline Mesh disk_of_quads(std::size_t quads, std::uint64_t seed) {
   Mesh mesh = split_three_ways(delaunay_triangulation(points));
   set_ideal_faces(mesh, PlaneModel());
   return mesh;
+}
+
+// Quads between random lines with dead ends, cut open along them.
+inline SyntheticMesh cut_network(std::uint64_t seed) {
+  SyntheticMesh given = make_synthetic({.columns = 24, .rows = 20, .seed = seed, .jitter = 0.2});
+  PairingReport paired;
+  const Pairing pairing = pair_triangles(given.mesh, given.tags, {}, paired, {});
+  SubdivideReport halved;
+  given.mesh = subdivide(merge_pairs(std::move(given.mesh), pairing), given.lines, halved, {});
+  given.tags = ConstraintTags::of(given.mesh);
+  cut_open(given.mesh, given.tags);
+  set_ideal_faces(given.mesh, PlaneModel());
+  return given;
 }
 
 }  // namespace quarry::test

@@ -264,23 +264,10 @@ TEST(RemeshPatches, IsTheSameOnAnyNumberOfThreadsAndInAnyOrderOfWinners) {
   }
 }
 
-// Quads between random lines with dead ends, cut open along them.
-test::SyntheticMesh cut_network(std::uint64_t seed) {
-  test::SyntheticMesh given = test::make_synthetic({.columns = 24, .rows = 20, .seed = seed, .jitter = 0.2});
-  PairingReport paired;
-  const Pairing pairing = pair_triangles(given.mesh, given.tags, {}, paired, {});
-  SubdivideReport halved;
-  given.mesh = subdivide(merge_pairs(std::move(given.mesh), pairing), given.lines, halved, {});
-  given.tags = ConstraintTags::of(given.mesh);
-  cut_open(given.mesh, given.tags);
-  set_ideal_faces(given.mesh, PlaneModel());
-  return given;
-}
-
 TEST(RemeshPatches, KeepsLinesWithDeadEnds) {
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    test::SyntheticMesh given = cut_network(seed);
+    test::SyntheticMesh given = test::cut_network(seed);
     Mesh& mesh = given.mesh;
     const int charge = test::charge_of(mesh);
     const auto boundary = boundary_of(mesh);
