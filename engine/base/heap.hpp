@@ -9,4 +9,8 @@ namespace quarry {
 // another malloc. To be called before threads are started.
 void keep_freed_memory();
 
+// Gives back what is free now, and from now on vectors above 4 MiB as they are freed: for what needs most
+// memory at last, after steps whose freed vectors do not fit it. Without effect unless freed memory was kept.
+void give_back_freed_memory();
+
 }  // namespace quarry

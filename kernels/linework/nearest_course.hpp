@@ -21,8 +21,8 @@ struct Window {
                                                  const std::vector<std::uint8_t>& marked, double near);
 
 // Sees to it that the course of a window comes by places of the raw line that it has to keep to: around those
-// where the path had left it by more than nodes are apart, and the line's own vertices. A place without a node
-// gets one.
+// where the path had left it by more than nodes are apart, and the line's own vertices. A place without a
+// node gets one.
 void pin_course(NodePlaces& places, const PathNetwork& network, const Path& path, const Window& window);
 
 // The nodes that the stretch of the raw line between two parameters comes by, nearer than nodes are apart, in

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "engine/base/error.hpp"
+#include "engine/base/heap.hpp"
 #include "engine/mesh/compact.hpp"
 #include "engine/mesh/domain.hpp"
 #include "engine/mesh/pinch.hpp"
@@ -132,6 +133,7 @@ void convert_to_quads(const SectionOptions& options, SectionResult& result, cons
 
 void clean_up_quads(const SectionOptions& options, const PriceSource& prices, SectionResult& result,
                     const Progress& progress) {
+  if (clean_up_level(options) != CleanUpLevel::kNone) give_back_freed_memory();
   CleanUpOptions clean_up_options;
   clean_up_options.local.price = clean_up_options.patches.price = prices.price(result.cleaned.lines);
   clean_up_options.level = clean_up_level(options);
