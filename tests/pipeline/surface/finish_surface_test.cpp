@@ -8,8 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/mesh/build.hpp"
-#include "surface/feature/bind.hpp"
-#include "surface/repair/sheets.hpp"
+#include "tests/support/modelled_surface.hpp"
 #include "tests/support/surface_zoo.hpp"
 
 namespace quarry {
@@ -17,15 +16,10 @@ namespace {
 
 constexpr double kHalfThickness = 0.01;
 
-SurfaceModel lens() {
+test::ModelledSurface lens() {
   TriangleSurface surface = test::sphere(4);
   for (Vec3& p : surface.points) p.z *= kHalfThickness;
-  const RepairedSurface repaired = repair_surface(std::move(surface), {});
-  const CurveNetwork network =
-      make_curve_network(repaired.surface, find_feature_edges(repaired, {}).edges, {});
-  Mesh mesh = make_sheets(repaired);
-  const ConstraintTags tags = bind_features(mesh, network);
-  return SurfaceModel(mesh, tags);
+  return test::modelled(std::move(surface));
 }
 
 // One square about the middle of the lens that faces up or down.
@@ -39,7 +33,7 @@ Mesh square_at(double height, double half_edge, bool up) {
 
 // The far side of the wall is nearer than half of the larger face is long.
 TEST(InvalidOnSurface, AreFacesOnTheWrongSideOfAThinWallHoweverLarge) {
-  const SurfaceModel model = lens();
+  const SurfaceModel model = lens().model;
   constexpr double kArea = 2 * std::numbers::pi;
   for (const double half_edge : {0.002, 0.3})
     for (const bool up : {true, false}) {

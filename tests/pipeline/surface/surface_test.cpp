@@ -15,9 +15,8 @@
 #include "kernels/quality/summary.hpp"
 #include "pipeline/surface/finish_surface.hpp"
 #include "pipeline/surface/surface_report.hpp"
-#include "surface/feature/bind.hpp"
-#include "surface/repair/sheets.hpp"
 #include "tests/io/mesh/temporary_folder.hpp"
+#include "tests/support/modelled_surface.hpp"
 #include "tests/support/surface_zoo.hpp"
 
 namespace quarry {
@@ -204,15 +203,10 @@ TriangleSurface meander(double swing, double waves, double width) {
 
 // None in a finished mesh.
 std::size_t count_invalid(const SurfaceResult& result) {
-  const RepairedSurface repaired = repair_surface(result.repaired, {});
-  const CurveNetwork network =
-      make_curve_network(repaired.surface, find_feature_edges(repaired, {}).edges, {});
-  Mesh mesh = make_sheets(repaired);
-  const ConstraintTags tags = bind_features(mesh, network);
   double area = 0;
-  for (const SurfaceTriangle& t : repaired.surface.triangles)
-    area += 0.5 * length(doubled_area(repaired.surface, t));
-  return find_invalid_on_surface(result.mesh, SurfaceModel(mesh, tags), area).size();
+  for (const SurfaceTriangle& t : result.repaired.triangles)
+    area += 0.5 * length(doubled_area(result.repaired, t));
+  return find_invalid_on_surface(result.mesh, test::modelled(result.repaired).model, area).size();
 }
 
 // Elements that are longer than the turns are far apart lie on the wrong ones: then there is no mesh.

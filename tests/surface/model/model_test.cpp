@@ -4,31 +4,15 @@
 #include <gtest/gtest.h>
 
 #include "engine/base/random.hpp"
-#include "surface/feature/bind.hpp"
 #include "surface/model/surface_model.hpp"
-#include "surface/repair/sheets.hpp"
+#include "tests/support/modelled_surface.hpp"
 #include "tests/support/surface_zoo.hpp"
 
 namespace quarry {
 namespace {
 
-struct Modelled {
-  Mesh mesh;
-  SurfaceModel model;
-};
-
-Modelled modelled(TriangleSurface surface) {
-  const RepairedSurface repaired = repair_surface(std::move(surface), {});
-  const CurveNetwork network =
-      make_curve_network(repaired.surface, find_feature_edges(repaired, {}).edges, {});
-  Mesh mesh = make_sheets(repaired);
-  const ConstraintTags tags = bind_features(mesh, network);
-  SurfaceModel model(mesh, tags);
-  return {std::move(mesh), std::move(model)};
-}
-
 TEST(SurfaceModel, GivesTheSamePointWhereverTheSearchStarts) {
-  const Modelled sphere = modelled(test::sphere(4));
+  const test::ModelledSurface sphere = test::modelled(test::sphere(4));
   std::uint64_t counter = 0;
   const auto draw = [&] { return 3 * uniform01(5, counter++) - 1.5; };
   for (int i = 0; i < 200; ++i) {
@@ -42,7 +26,7 @@ TEST(SurfaceModel, GivesTheSamePointWhereverTheSearchStarts) {
 }
 
 TEST(SurfaceModel, KnowsWhatLiesUpsideDown) {
-  const Modelled sphere = modelled(test::sphere(4));
+  const test::ModelledSurface sphere = test::modelled(test::sphere(4));
   EXPECT_TRUE(sphere.model.faces_along({0, 0, 1}, {0, 0, 1}, 0.1));
   EXPECT_TRUE(sphere.model.faces_along({0, 0, 1}, {0.9, 0, 0.1}, 0.1));
   EXPECT_FALSE(sphere.model.faces_along({0, 0, 1}, {0, 0, -1}, 0.1));
@@ -52,7 +36,7 @@ TEST(SurfaceModel, KnowsWhatLiesUpsideDown) {
 TEST(SurfaceModel, LetsBothSidesOfAThinWallFaceTheirWay) {
   TriangleSurface lens = test::sphere(4);
   for (Vec3& p : lens.points) p.z *= 0.01;
-  const Modelled wall = modelled(std::move(lens));
+  const test::ModelledSurface wall = test::modelled(std::move(lens));
   for (const double side : {-1.0, 1.0}) {
     EXPECT_TRUE(wall.model.faces_along({0, 0, 0.01 * side}, {0, 0, side}, 0.001));
     // The other side is nearer than the slack.
@@ -65,8 +49,8 @@ TEST(SurfaceModel, LetsBothSidesOfAThinWallFaceTheirWay) {
 }
 
 TEST(SurfaceModel, TellsItsPointsThatAreOnNoFeature) {
-  EXPECT_EQ(modelled(test::cube()).model.free_points().size(), 0U);
-  const Modelled plain = modelled(test::terrain(4, 4, [](double, double) { return 0.0; }));
+  EXPECT_EQ(test::modelled(test::cube()).model.free_points().size(), 0U);
+  const test::ModelledSurface plain = test::modelled(test::terrain(4, 4, [](double, double) { return 0.0; }));
   EXPECT_EQ(plain.model.free_points().size(), 9U);
   for (const SpacePoint& p : plain.model.free_points()) EXPECT_EQ(p.up, (Vec3{0, 0, 1}));
 }
