@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "engine/base/error.hpp"
+#include "engine/base/heap.hpp"
 #include "engine/mesh/compact.hpp"
 #include "engine/mesh/validate.hpp"
 #include "io/mesh/mesh_format.hpp"
@@ -203,6 +204,7 @@ class ImproveJob {
     options.local.floor = floor;
     options.patches.least_jacobian = floor;
     options.size = size_.get();
+    give_back_freed_memory();
     clean_up(result_.mesh, lines_.lines, options, result_.clean_up, progress_);
   }
 
