@@ -14,6 +14,7 @@
 #include "engine/geometry/hilbert.hpp"
 #include "engine/parallel/parallel.hpp"
 #include "engine/parallel/sort.hpp"
+#include "kernels/linework/clustering.hpp"
 #include "kernels/linework/domain.hpp"
 #include "kernels/linework/ledger.hpp"
 #include "kernels/linework/noding.hpp"

@@ -8,11 +8,6 @@
 
 namespace quarry::linework {
 
-// Builds the network: raw points cluster to nodes at least sqrt(2) * snap apart, with the coordinates of one
-// of them; points of the outline come first, then ends of lines, then the rest, each in reading order. Nodes
-// and paths are numbered by place.
-[[nodiscard]] PathNetwork cluster_points(std::vector<RawLine> raw, double snap);
-
 // Why it ends. A node n nearer than s = snap to an edge ab bends it. While all nodes are sqrt(2) s apart, an
 // and nb are both shorter than ab (with h1, h2 >= s the distances of the foot from a and b, |an|^2 < h1^2 +
 // s^2 <= (h1 + h2)^2), so that edges between finitely many nodes run out. Crossings and anchors add nodes

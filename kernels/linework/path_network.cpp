@@ -15,6 +15,13 @@ constexpr std::size_t kPathsPerChunk = 512;
 
 }  // namespace
 
+Vec2 origin_of(const std::vector<RawLine>& raw) {
+  Vec2 origin;
+  for (const RawLine& line : raw)
+    if (!line.points.empty()) origin = line.points.front();
+  return origin;
+}
+
 void PathNetwork::build_edges() {
   edge_begin.assign(paths.size() + 1, 0);
   parallel::for_each(paths.size(), [&](std::size_t p) {

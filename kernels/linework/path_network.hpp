@@ -21,6 +21,9 @@ struct RawLine {
   PointId point = {};         // of the input; such a line has one point, and is rigid
 };
 
+// Somewhere among the points, so that offsets from it are small.
+[[nodiscard]] Vec2 origin_of(const std::vector<RawLine>& raw);
+
 struct PathStep {
   NodeId node;
   double at;  // the parameter of the raw line's point that the node stands for
