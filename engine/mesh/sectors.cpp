@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -51,23 +52,33 @@ struct Sectors {
   }
 };
 
+// The sides of a sector, counter-clockwise from its most clockwise one.
+template <class Visit>
+void for_each_side_of_sector(const Mesh& mesh, const ConstraintTags& tags, SideId first, Visit&& visit) {
+  for (SideId s = first;;) {
+    visit(s);
+    const SideId last = mesh.previous(s);
+    if (tags.constrained(last) || !mesh.neighbour(last).valid()) return;
+    s = mesh.neighbour(last);
+  }
+}
+
 // Gives the sides of the extra sectors their copies as origins. Sides are gathered before any is written:
 // turning around a vertex reads other corners of the faces.
 void place_copies(Mesh& mesh, const ConstraintTags& tags, const Sectors& sectors,
                   const std::vector<std::uint32_t>& extra, VertexId first_copy) {
-  std::vector<VertexId> copy_of(4 * mesh.face_slots());
+  std::vector<std::uint32_t> begin(extra.size() + 1, 0);
   parallel::for_each(extra.size(), [&](std::size_t j) {
-    const VertexId copy(first_copy.value() + j);
-    SideId s = sectors.first_side(extra[j]);
-    while (true) {
-      copy_of[s.value()] = copy;
-      const SideId last = mesh.previous(s);
-      if (tags.constrained(last) || !mesh.neighbour(last).valid()) break;
-      s = mesh.neighbour(last);
-    }
+    for_each_side_of_sector(mesh, tags, sectors.first_side(extra[j]), [&](SideId) { ++begin[j]; });
   });
-  parallel::for_each(copy_of.size(), [&](std::size_t i) {
-    if (copy_of[i].valid()) mesh.set_corner(SideId(static_cast<std::uint32_t>(i)), copy_of[i]);
+  std::vector<SideId> sides(parallel::exclusive_scan(std::span(begin)));
+  parallel::for_each(extra.size(), [&](std::size_t j) {
+    std::size_t at = begin[j];
+    for_each_side_of_sector(mesh, tags, sectors.first_side(extra[j]), [&](SideId s) { sides[at++] = s; });
+  });
+  parallel::for_each(extra.size(), [&](std::size_t j) {
+    for (std::size_t i = begin[j]; i < begin[j + 1]; ++i)
+      mesh.set_corner(sides[i], VertexId(first_copy.value() + j));
   });
 }
 

@@ -1,5 +1,6 @@
 #include "kernels/cleanup/clean_up.hpp"
 
+#include "engine/base/heap.hpp"
 #include "engine/base/stopwatch.hpp"
 #include "engine/geometry/model.hpp"
 #include "engine/mesh/compact.hpp"
@@ -45,6 +46,7 @@ class CleanUp {
     sew(mesh_, ConstraintTags::of(mesh_));
     mesh_.remove_tag<VertexId>(kIdealTag);
     compact(mesh_, EntityOrder::kHilbert);
+    give_back_freed_memory();
   }
 
   void remesh() {

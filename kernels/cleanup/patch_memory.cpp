@@ -2,33 +2,38 @@
 
 #include <algorithm>
 #include <atomic>
+#include <utility>
 
 #include "engine/base/random.hpp"
 #include "engine/parallel/parallel.hpp"
 
 namespace quarry {
 
-void KeySet::place(std::uint64_t key) {
-  std::size_t at = key & (slots_.size() - 1);
-  while (slots_[at] != 0) at = (at + 1) & (slots_.size() - 1);
-  slots_[at] = key;
+void KeySet::put(Word word) {
+  const std::size_t at = place_of(word);
+  low_[at] = word.low;
+  high_[at] = word.high;
 }
 
 void KeySet::insert(std::uint64_t key) {
   if (contains(key)) return;
-  if (2 * (count_ + 1) > slots_.size()) {
+  if (4 * (count_ + 1) > 3 * low_.size()) {
     constexpr std::size_t kFirst = 64;
-    std::vector<std::uint64_t> old(std::max(kFirst, 2 * slots_.size()), 0);
-    std::swap(old, slots_);
-    for (const std::uint64_t other : old)
-      if (other != 0) place(other);
+    const std::size_t places = std::max(kFirst, 2 * low_.size());
+    const std::vector<std::uint32_t> low = std::exchange(low_, std::vector<std::uint32_t>(places, 0));
+    const std::vector<std::uint8_t> high = std::exchange(high_, std::vector<std::uint8_t>(places, 0));
+    for (std::size_t i = 0; i < low.size(); ++i)
+      if (low[i] != 0 || high[i] != 0) put(Word(low[i], high[i]));
   }
   ++count_;
-  place(key);
+  put(Word(key));
 }
 
 void KeySet::clear() {
-  if (count_ > 0) std::fill(slots_.begin(), slots_.end(), 0);
+  if (count_ > 0) {
+    std::fill(low_.begin(), low_.end(), 0);
+    std::fill(high_.begin(), high_.end(), std::uint8_t{0});
+  }
   count_ = 0;
 }
 
