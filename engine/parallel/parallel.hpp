@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -91,20 +92,30 @@ Integer exclusive_scan(std::span<Integer> values) {
   return total;
 }
 
-// Indices i of [0, size) with keep(i), ascending.
+// Indices i of [0, size) with keep(i), ascending. Each is asked about once.
 template <class Keep>
 std::vector<std::uint32_t> filter_indices(std::size_t size, Keep&& keep) {
+  constexpr std::size_t kBits = 64;
+  static_assert(kChunk % kBits == 0, "no two chunks write the same word");
+  std::vector<std::uint64_t> kept_bits((size + kBits - 1) / kBits);
   std::vector<std::uint32_t> counts((size + kChunk - 1) / kChunk, 0);
   for_each_chunk(size, kChunk, [&](std::size_t begin, std::size_t end) {
     std::uint32_t count = 0;
-    for (std::size_t i = begin; i < end; ++i) count += keep(i) ? 1U : 0U;
+    for (std::size_t first = begin; first < end; first += kBits) {
+      std::uint64_t word = 0;
+      for (std::size_t i = first; i < std::min(first + kBits, end); ++i)
+        word |= (keep(i) ? std::uint64_t{1} : std::uint64_t{0}) << (i - first);
+      kept_bits[first / kBits] = word;
+      count += static_cast<std::uint32_t>(std::popcount(word));
+    }
     counts[begin / kChunk] = count;
   });
   std::vector<std::uint32_t> kept(exclusive_scan(std::span(counts)));
   for_each_chunk(size, kChunk, [&](std::size_t begin, std::size_t end) {
     std::uint32_t at = counts[begin / kChunk];
-    for (std::size_t i = begin; i < end; ++i)
-      if (keep(i)) kept[at++] = static_cast<std::uint32_t>(i);
+    for (std::size_t first = begin; first < end; first += kBits)
+      for (std::uint64_t word = kept_bits[first / kBits]; word != 0; word &= word - 1)
+        kept[at++] = static_cast<std::uint32_t>(first) + static_cast<std::uint32_t>(std::countr_zero(word));
   });
   return kept;
 }

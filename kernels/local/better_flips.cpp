@@ -18,6 +18,7 @@ class FlipIfBetter {
   // An edge by its ends: a side may be turned by the flip of another edge.
   struct Item {
     VertexId a, b;
+    SideId last_seen;  // where the edge a-b was
   };
   struct Plan {};
 
@@ -34,7 +35,7 @@ class FlipIfBetter {
   }
 
   bool propose(const Mesh& mesh, Item item, Cavity& cavity, Plan& /*plan*/) const {
-    const SideId s = mesh.find_side(item.a, item.b);
+    const SideId s = side_of(mesh, item);
     if (!s.valid() || !is_better(mesh, s)) return false;
     claim_flip(mesh, s, cavity);
     return true;
@@ -43,13 +44,23 @@ class FlipIfBetter {
   void apply(MeshEditor& editor, Item item, const Plan& /*plan*/, NewIds /*ids*/,
              FollowUps<Item>& follow_ups) const {
     const Mesh& mesh = editor.mesh();
-    const SideId s = mesh.find_side(item.a, item.b);
+    const SideId s = side_of(mesh, item);
     const auto [a, b, c, d] = diamond_of(mesh, s);
-    flip_edge(editor, tags_, s);
-    for (const Item outer : {Item{a, d}, Item{d, b}, Item{b, c}, Item{c, a}}) follow_ups.push_back(outer);
+    const SideId left = flip_edge(editor, tags_, s);  // c -> d, with b on its left
+    const SideId right = mesh.neighbour(left);
+    for (const Item outer : {Item{a, d, mesh.previous(right)}, Item{d, b, mesh.next(left)},
+                             Item{b, c, mesh.previous(left)}, Item{c, a, mesh.next(right)}})
+      follow_ups.push_back(outer);
   }
 
  private:
+  // Most edges are where they were.
+  static SideId side_of(const Mesh& mesh, Item item) {
+    const SideId s = item.last_seen;
+    if (mesh.origin(s) == item.a && mesh.target(s) == item.b) return s;
+    return mesh.find_side(item.a, item.b);
+  }
+
   ConstraintTags tags_;
 };
 
@@ -64,7 +75,8 @@ PassReport flip_to_better(Mesh& mesh, const Progress& progress) {
   });
   std::vector<FlipIfBetter::Item> work;
   work.reserve(sides.size());
-  for (const std::uint32_t i : sides) work.push_back({mesh.origin(SideId(i)), mesh.target(SideId(i))});
+  for (const std::uint32_t i : sides)
+    work.push_back({mesh.origin(SideId(i)), mesh.target(SideId(i)), SideId(i)});
   PassReport report = run_pass(mesh, operation, std::move(work), PassOptions(), progress);
   report.name = "flips to better triangles";
   return report;
