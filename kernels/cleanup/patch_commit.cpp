@@ -18,9 +18,9 @@ constexpr int kMostSweeps = 256;
 constexpr double kHopeful = 0.8;
 constexpr double kLeastProgress = 0.25;
 // Fills are looked at after so many sweeps, and given up where edges are then more unequal than may be by
-// this factor.
+// this factor: one in sixty would become good.
 constexpr int kFirstSweeps = 2;
-constexpr double kHopelessRatio = 1.3;
+constexpr double kHopelessRatio = 1.75;
 
 }  // namespace
 
@@ -132,7 +132,7 @@ void PatchCommit<Model>::place(MeshEditor& editor, const PatchProposal& proposal
   worker.points.clear();
   for (const VertexId v : proposal.rim) worker.points.push_back(place_of<Point>(editor, v));
   place_layout(worker.layout, worker.points);
-  relax_layout(worker.layout, worker.points);
+  if (worker.layout.quads().size() > options_->harmonic_from) relax_layout(worker.layout, worker.points);
   worker.vertices = proposal.rim;
   worker.movable.clear();
   for (std::uint32_t i = worker.layout.rim(); i < worker.layout.vertices(); ++i) {
