@@ -11,8 +11,6 @@
 namespace quarry {
 namespace {
 
-// Patches of more rows than this are wide.
-constexpr int kWideRows = 24;
 constexpr int kMostSweeps = 256;
 // More sweeps only where the first ones have come within this share of what is wanted: of the fills that are
 // farther off one in a hundred gets there, at the price of most of the work. And only as long as such a share
@@ -134,6 +132,7 @@ void PatchCommit<Model>::place(MeshEditor& editor, const PatchProposal& proposal
   worker.points.clear();
   for (const VertexId v : proposal.rim) worker.points.push_back(place_of<Point>(editor, v));
   place_layout(worker.layout, worker.points);
+  if (worker.layout.quads().size() > options_->harmonic_from) relax_layout(worker.layout, worker.points);
   worker.vertices = proposal.rim;
   worker.movable.clear();
   for (std::uint32_t i = worker.layout.rim(); i < worker.layout.vertices(); ++i) {
@@ -178,10 +177,10 @@ double PatchCommit<Model>::smallest_after(MeshEditor& editor, std::span<const Fa
     if (frozen) smallest = std::min(smallest, signed_scaled_jacobian(editor.mesh(), *model_, f));
   }
   if (!(smallest > 0) || worker.movable.empty()) return smallest;
-  // A sweep carries a change over one row: wide patches get more of them, and many more if they need them.
+  // A sweep carries a change over one row: wide patches get more of them if they need them.
   const int rows = static_cast<int>(std::sqrt(static_cast<double>(made.size())));
   LocalShapeOptions smoothing = options_->smoothing;
-  const int sweeps = std::max(smoothing.sweeps, rows > kWideRows ? rows / 2 : 0);
+  const int sweeps = smoothing.sweeps;
   const int most = std::min(3 * rows, kMostSweeps);
   const auto smooth = [&](int more) {
     smoothing.sweeps = more;

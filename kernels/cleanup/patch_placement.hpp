@@ -1,8 +1,13 @@
 // First places for the vertices of a fill: the defect at the mean of the ends of its spokes, lines evenly
-// divided, grids by transfinite interpolation of their borders. Folds are left to the smoothing that follows.
+// divided, grids by transfinite interpolation of their borders; then all at harmonic places. What is folded
+// after that is left to the smoothing that follows.
 #pragma once
 
+#include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <numbers>
+#include <numeric>
 #include <span>
 #include <vector>
 
@@ -58,6 +63,39 @@ void place_layout(const PatchLayout& layout, std::vector<Point>& points) {
     detail::place_line(layout.members(lines[i]), points);
   for (const PatchLayout::Grid& grid : layout.grids())
     detail::place_grid(layout.members(grid), grid.columns, grid.rows, points);
+}
+
+// Moves the new vertices of a layout to the harmonic places: each in the middle of those that it is joined
+// to, with the rim where it is, as in an embedding of Tutte (1963). Straight spokes fold the grids of patches
+// that are not convex; this folds little, and lets smoothing begin near its end. By successive
+// over-relaxation, a few sweeps for each row that a change has to cross. points: of all vertices of the
+// layout.
+template <class Point>
+void relax_layout(const PatchLayout& layout, std::vector<Point>& points) {
+  constexpr double kSweepsPerRow = 3;
+  const std::uint32_t rim = layout.rim();
+  // The sides of the quads from each corner to the next: an inner edge is one of two quads, once each way.
+  const auto for_each_side = [&](const auto& visit) {
+    for (const PatchLayout::Quad& quad : layout.quads())
+      for (std::size_t k = 0; k < 4; ++k)
+        if (quad[k] >= rim) visit(quad[k], quad[(k + 1) % 4]);
+  };
+  std::vector<std::uint32_t> begin(layout.vertices() + 1, 0);
+  for_each_side([&](std::uint32_t v, std::uint32_t) { ++begin[v + 1]; });
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<std::uint32_t> joined(begin.back()), at(begin.begin(), begin.end() - 1);
+  for_each_side([&](std::uint32_t v, std::uint32_t w) { joined[at[v]++] = w; });
+  const double rows = std::sqrt(static_cast<double>(layout.quads().size()));
+  const double relaxation = 2 / (1 + std::sin(std::numbers::pi / std::max(rows, 2.0)));
+  const int sweeps = static_cast<int>(kSweepsPerRow * rows);
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    for (std::uint32_t v = rim; v < layout.vertices(); ++v) {
+      Point sum{};
+      for (std::uint32_t i = begin[v]; i < begin[v + 1]; ++i) sum = sum + points[joined[i]];
+      points[v] =
+          (1 - relaxation) * points[v] + (relaxation / static_cast<double>(begin[v + 1] - begin[v])) * sum;
+    }
+  }
 }
 
 }  // namespace quarry

@@ -14,7 +14,10 @@ namespace {
 class CornerMover {
  public:
   CornerMover(const Slide& slide, const OptimiseOptions& options)
-      : slide_(slide), floor_(options.target * options.target), smallest_step_(options.smallest_step) {}
+      : slide_(slide),
+        floor_(options.target * options.target),
+        largest_triangle_ratio_(options.largest_triangle_ratio),
+        smallest_step_(options.smallest_step) {}
 
   [[nodiscard]] bool may_move(VertexId v) const { return slide_.movable(v); }
 
@@ -60,8 +63,10 @@ class CornerMover {
 
   bool try_place(VertexId v, Vec2 wanted) {
     const Vec2 p = slide_.allowed(v, wanted);
-    const double badness = star_.badness_at(p - star_.place());
-    if (!(badness < best_) || !star_.valid_at(p)) return false;
+    const Vec2 offset = p - star_.place();
+    const double badness = star_.badness_at(offset);
+    if (!(badness < best_) || !star_.keeps_triangles(offset, largest_triangle_ratio_) || !star_.valid_at(p))
+      return false;
     best_ = badness;
     best_place_ = p;
     return true;
@@ -69,6 +74,7 @@ class CornerMover {
 
   Slide slide_;
   double floor_;
+  double largest_triangle_ratio_;
   double smallest_step_;
   Star star_;
   double best_ = 0;

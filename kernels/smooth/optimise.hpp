@@ -11,6 +11,9 @@ struct OptimiseOptions {
   // Stars whose worst face has a measure (sine of the worst corner times aspect factor) of this or more are
   // left alone.
   double target = 0.7;
+  // No triangle may come to have a longest edge beyond so many times its shortest, and more unequal edges
+  // than before. Of quads the measure tells.
+  double largest_triangle_ratio = 6;
   // Moves shorter than this share of the edges at the vertex are not looked for.
   double smallest_step = 0.01;
 };

@@ -138,14 +138,19 @@ bool keeps_measure(const StarFace& before, const StarFace& after, Vec2 offset, d
   return measure(changed, offset) >= std::min(measure(old, {}), bar);
 }
 
-bool keeps_edge_ratio(const StarFace& before, const StarFace& after, Vec2 offset, double limit) {
+// The ratio of the longest edge to the shortest.
+bool keeps_ratio_of_any(const StarFace& before, const StarFace& after, Vec2 offset, double limit) {
   const auto edges = [](const StarFace& face, Vec2 by) {
     return squared_edges(face, squared_length(face.next - by), squared_length(face.previous - by));
   };
   const SquaredEdges now = edges(after, offset);
-  if (!after.quad || now.within(limit)) return true;
+  if (now.within(limit)) return true;
   const SquaredEdges old = edges(before, {});
   return now.longest * old.shortest <= old.longest * now.shortest;
+}
+
+bool keeps_edge_ratio(const StarFace& before, const StarFace& after, Vec2 offset, double limit) {
+  return !after.quad || keeps_ratio_of_any(before, after, offset, limit);
 }
 
 }  // namespace
@@ -214,6 +219,13 @@ bool Star::keeps_edge_ratios(Vec2 offset, double limit) const {
   const auto faces = this->faces();
   return std::all_of(faces.begin(), faces.end(),
                      [&](const StarFace& face) { return keeps_edge_ratio(face, face, offset, limit); });
+}
+
+bool Star::keeps_triangles(Vec2 offset, double limit) const {
+  const auto faces = this->faces();
+  return std::all_of(faces.begin(), faces.end(), [&](const StarFace& face) {
+    return face.quad || keeps_ratio_of_any(face, face, offset, limit);
+  });
 }
 
 bool Star::valid_at(Vec2 p) const {

@@ -65,6 +65,9 @@ class Star {
   // True if no quad would have a longest edge beyond so many times its shortest, and more unequal edges than
   // now.
   [[nodiscard]] bool keeps_edge_ratios(Vec2 offset, double limit) const;
+  // The same of triangles, whose measure does not tell: in a wedge it is best where both long edges are
+  // equal.
+  [[nodiscard]] bool keeps_triangles(Vec2 offset, double limit) const;
   // The measure of one face, without a star.
   [[nodiscard]] static double measure_of(const Mesh& mesh, FaceId f);
   // True if every corner of the star turns left were the vertex at p (exact).

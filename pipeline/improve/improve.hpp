@@ -49,7 +49,7 @@ struct ImproveResult {
   std::size_t nodes = 0;         // vertices that stay fixed
   std::size_t pieces = 0;        // straight stretches
   CleanUpReport clean_up;
-  SweepReport smoothing, corners;
+  SweepReport smoothing, squaring, corners;
   LowQuadReport low_quads;         // with mixed_quality
   std::vector<std::string> notes;  // one line each: what the user should know
   std::vector<StageTime> times;

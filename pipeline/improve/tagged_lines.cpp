@@ -10,6 +10,7 @@
 #include "engine/mesh/pinch.hpp"
 #include "engine/parallel/parallel.hpp"
 #include "io/mesh/mesh_file.hpp"
+#include "pipeline/improve/side_chains.hpp"
 #include "pipeline/improve/straight_runs.hpp"
 
 namespace quarry {
@@ -306,9 +307,9 @@ PieceUnder piece_under(const Mesh& mesh, ConstraintTags tags, const PieceFinder&
 
 }  // namespace
 
-TaggedLines bind_lines(Mesh& mesh, std::vector<TaggedEdge> tagged, double tolerance) {
+TaggedLines bind_lines(Mesh& mesh, const std::vector<TaggedEdge>& tagged, double tolerance) {
   rebuild_sides_of_vertices(mesh);
-  return LineFinder(mesh, std::move(tagged), tolerance).run();
+  return LineFinder(mesh, follow_sides(mesh, tagged, tolerance), tolerance).run();
 }
 
 namespace {

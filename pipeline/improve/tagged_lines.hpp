@@ -48,10 +48,11 @@ struct TaggedLines {
 
 // Finds the lines of a mesh with the face tag "region" and adds ConstraintTags that bind it to them; vertices
 // with the tag kPointTag are nodes too. The mesh has no tombstones. tolerance: a vertex between two nodes may
-// lie this far from the piece that joins them, in input units. Each fan at a point where the domain touches
+// lie this far from the piece that joins them, in input units; a tagged edge covered by a chain of sides is
+// that chain (pipeline/improve/side_chains.hpp). Each fan at a point where the domain touches
 // itself gets a vertex of its own (engine/mesh/pinch.hpp). The mesh has no edge entities before, and those
 // that are no side of a face with the tag "constraint" afterwards.
-[[nodiscard]] TaggedLines bind_lines(Mesh& mesh, std::vector<TaggedEdge> tagged, double tolerance);
+[[nodiscard]] TaggedLines bind_lines(Mesh& mesh, const std::vector<TaggedEdge>& tagged, double tolerance);
 
 // The inverse, after the mesh was changed within its lines: sets the tag "region" to the numbers that faces
 // had between the same pieces, and adds edge entities for the boundary and all tagged edges, with the tags

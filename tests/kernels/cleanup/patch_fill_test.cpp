@@ -309,5 +309,32 @@ TEST(PatchPlacement, PutsAGridOfASquareOnItsLattice) {
     EXPECT_GT(cross(points[quad[1]] - points[quad[0]], points[quad[2]] - points[quad[0]]), 0);
 }
 
+// A horseshoe: the straight spokes of its grid would leave it.
+TEST(PatchPlacement, RelaxesAGridInABentPatchUntilNoFaceIsTurnedOver) {
+  constexpr std::uint32_t kLong = 24, kWide = 6;
+  const Lengths lengths{kLong, kWide, kLong, kWide};
+  PatchLayout layout;
+  layout.build(*solve_fill(lengths), 2 * (kLong + kWide), {}, corners_of(lengths, 0));
+  std::vector<Vec2> points;
+  const auto at = [](double along, double across) {
+    const double angle = -1.5 * 3.14159265358979323846 * along / kLong;
+    const double radius = 1 + across / kWide;
+    return Vec2{radius * std::cos(angle), radius * std::sin(angle)};
+  };
+  for (std::uint32_t i = 0; i < kLong; ++i) points.push_back(at(i, 0));
+  for (std::uint32_t i = 0; i < kWide; ++i) points.push_back(at(kLong, i));
+  for (std::uint32_t i = 0; i < kLong; ++i) points.push_back(at(kLong - i, kWide));
+  for (std::uint32_t i = 0; i < kWide; ++i) points.push_back(at(0, kWide - i));
+  place_layout(layout, points);
+  for (std::size_t v = layout.rim(); v < layout.vertices(); ++v) points[v] = {};
+  const std::vector<Vec2> rim(points.begin(), points.begin() + layout.rim());
+  relax_layout(layout, points);
+  EXPECT_TRUE(std::equal(rim.begin(), rim.end(), points.begin()));
+  for (const PatchLayout::Quad& quad : layout.quads())
+    for (std::size_t k = 0; k < 4; ++k)
+      EXPECT_GT(
+          cross(points[quad[(k + 1) % 4]] - points[quad[k]], points[quad[(k + 3) % 4]] - points[quad[k]]), 0);
+}
+
 }  // namespace
 }  // namespace quarry

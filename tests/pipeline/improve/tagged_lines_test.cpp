@@ -136,6 +136,38 @@ TEST(TaggedLines, AnEdgeAcrossAFaceIsKeptWithItsEndsFixed) {
   EXPECT_EQ(count_numbered(mesh, 6), 1U);
 }
 
+TEST(TaggedLines, ALongEdgeIsTheChainOfSidesThatCoverIt) {
+  const Square square(4);
+  Mesh mesh = square.mesh();
+  const TaggedLines lines =
+      bind_lines(mesh, {{square.at(3, 2), square.at(1, 2), 7}, {square.at(3, 2), square.at(3, 4), 7}}, 1e-9);
+  EXPECT_EQ(lines.apart, 0U);
+  const auto tags = ConstraintTags::of(mesh);
+  EXPECT_TRUE(tags.support[square.at(2, 2)].slides());
+  EXPECT_TRUE(tags.support[square.at(3, 3)].slides());
+  EXPECT_TRUE(tags.support[square.at(3, 2)].is_node());
+  restore_groups(mesh, lines);
+  EXPECT_EQ(count_numbered(mesh, 7), 4U) << "each side bears the number";
+}
+
+TEST(TaggedLines, AMiddleThatIsRoundedOffItsEdgeStillBelongsToTheChain) {
+  const Square square(4);
+  Mesh mesh = square.mesh();
+  mesh.set_point(square.at(2, 2), {2, 2 + 1e-6});
+  const TaggedLines lines = bind_lines(mesh, {{square.at(1, 2), square.at(3, 2), 7}}, 1e-9);
+  EXPECT_EQ(lines.apart, 0U);
+  EXPECT_TRUE(ConstraintTags::of(mesh).support[square.at(2, 2)].is_node()) << "too far off to slide";
+}
+
+TEST(TaggedLines, AChainBesideALongEdgeDoesNotCoverIt) {
+  const Square square(4);
+  Mesh mesh = square.mesh();
+  mesh.set_point(square.at(2, 2), {2, 2.01});
+  const TaggedLines lines = bind_lines(mesh, {{square.at(1, 2), square.at(3, 2), 7}}, 0.1);
+  EXPECT_EQ(lines.apart, 1U);
+  EXPECT_TRUE(ConstraintTags::of(mesh).support[square.at(2, 2)].is_free());
+}
+
 TEST(TaggedLines, ARingWithoutANodeIsCutAtItsCorners) {
   const Square square(6);
   Mesh mesh = square.mesh(
