@@ -31,7 +31,7 @@ Quads quads_of(TriangleSurface surface, double edge, CleanUpLevel level = CleanU
   const CurveNetwork network =
       make_curve_network(repaired.surface, find_feature_edges(repaired, features).edges, features);
   Mesh triangles = make_sheets(repaired);
-  const SurfaceModel model(triangles, bind_features(triangles, network));
+  const SurfaceModel model(triangles, bind_features(triangles, network), 0.5 * edge);
   remesh_surface(triangles, model, network, SurfaceSizes(2.2 * edge), {}, Progress());
   SurfaceQuadOptions options;
   options.cleanup = level;
@@ -116,6 +116,23 @@ TEST(SurfaceQuads, ReachTheTipsOfTheSurface) {
   for (const VertexId v : quads.mesh.vertices()) least = std::min(least, length(quads.mesh.point3(v) - tip));
   EXPECT_LT(least, 0.02);
   EXPECT_GT(summarize_quality(quads.mesh).quads.scaled_jacobian.min, 0.15);
+}
+
+// All vertices of the surface lie on its rim.
+TEST(SurfaceQuads, ReachARidgeWhereTheSurfaceHasNoVertices) {
+  const auto height = [](double x, double) { return 0.06 * std::exp(-std::pow((x - 0.5) / 0.04, 2)); };
+  const Quads quads = quads_of(test::terrain(80, 1, height), 0.07);
+  EXPECT_GT(quads.report.reached, 0U);
+  double lowest = 1;  // of the highest vertices of strips across the ridge
+  for (double y = 0.2; y < 0.8; y += 0.2) {
+    double highest = 0;
+    for (const VertexId v : quads.mesh.vertices()) {
+      const Vec3 p = quads.mesh.point3(v);
+      if (std::abs(p.y - y) < 0.1) highest = std::max(highest, p.z);
+    }
+    lowest = std::min(lowest, highest);
+  }
+  EXPECT_GT(lowest, 0.05);
 }
 
 TEST(SurfaceQuadThreads, GiveTheSameMeshOnAnyNumber) {
