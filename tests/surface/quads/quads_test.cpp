@@ -107,7 +107,7 @@ TEST(SurfaceQuads, ReachTheTipsOfTheSurface) {
   TriangleSurface spiny = test::sphere(5);
   // A blunt thorn, narrower than an element.
   for (Vec3& p : spiny.points)
-    if (p.z > 0.999) p.z += 0.04;
+    if (p.z > 0.999) p.z += 0.06;
   Vec3 tip;
   for (const Vec3 p : spiny.points) tip = p.z > tip.z ? p : tip;
   const Quads quads = quads_of(spiny, 0.1);
