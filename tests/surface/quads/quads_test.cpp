@@ -12,6 +12,7 @@
 #include "engine/parallel/parallel.hpp"
 #include "kernels/quality/summary.hpp"
 #include "surface/feature/bind.hpp"
+#include "surface/quads/slide_on_features.hpp"
 #include "surface/remesh/remesh.hpp"
 #include "surface/repair/sheets.hpp"
 #include "tests/support/mesh_arrays.hpp"
@@ -23,6 +24,7 @@ namespace {
 struct Quads {
   Mesh mesh;
   SurfaceQuadReport report;
+  CurveNetwork network;
 };
 
 Quads quads_of(TriangleSurface surface, double edge, CleanUpLevel level = CleanUpLevel::kFull) {
@@ -37,6 +39,7 @@ Quads quads_of(TriangleSurface surface, double edge, CleanUpLevel level = CleanU
   options.cleanup = level;
   Quads result;
   result.mesh = make_surface_quads(std::move(triangles), model, network, options, result.report, Progress());
+  result.network = network;
   return result;
 }
 
@@ -76,6 +79,23 @@ TEST(SurfaceQuads, OfACubeKeepItsEdges) {
         kept += length(quads.mesh.point3(quads.mesh.target(s)) - quads.mesh.point3(quads.mesh.origin(s)));
     }
   EXPECT_NEAR(kept, 12, 1e-9);
+}
+
+TEST(SurfaceQuads, HaveVerticesThatSlideBackToGoodPlacesAlongEdges) {
+  Quads quads = quads_of(test::cube(), 0.1);
+  const ConstraintTags tags = ConstraintTags::of(quads.mesh);
+  const double good = summarize_quality(quads.mesh).quads.scaled_jacobian.mean;
+  for (const VertexId v : quads.mesh.vertices()) {
+    if (!tags.support[v].slides() || v.value() % 5 != 0) continue;
+    Vec3 aside;
+    for_each_constrained_neighbour(quads.mesh, tags, v, [&](VertexId w) { aside = quads.mesh.point3(w); });
+    quads.mesh.set_point3(v, quads.mesh.point3(v) + 0.4 * (aside - quads.mesh.point3(v)));
+  }
+  const double bad = summarize_quality(quads.mesh).quads.scaled_jacobian.mean;
+  ASSERT_LT(bad, good - 0.01);
+  EXPECT_GT(slide_on_features(quads.mesh, tags, quads.network, 10, Progress()).moved, 0U);
+  EXPECT_GT(summarize_quality(quads.mesh).quads.scaled_jacobian.mean, good - 0.1 * (good - bad));
+  EXPECT_NEAR(summarize_quality(quads.mesh).area, 6, 1e-9);
 }
 
 TEST(SurfaceQuads, OfATerrainKeepItsRim) {
