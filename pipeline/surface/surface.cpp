@@ -34,6 +34,9 @@ constexpr double kImprintStep = 0.5;
 constexpr double kDefaultSnap = 0.05;
 constexpr double kImprintReach = 1;
 
+// Of the points of the surface that elements have to come near to, in sizes.
+constexpr double kPointSpacing = 0.5;
+
 // How often a job is done with ever smaller elements where some were invalid. With more of them than that it
 // is no matter of single places.
 constexpr int kMostAttempts = 7;
@@ -137,7 +140,7 @@ class SurfaceJob {
     Mesh& elements = result_.mesh;
     elements = make_sheets(repaired);
     const ConstraintTags tags = bind_features(elements, network);
-    const SurfaceModel model(elements, tags);
+    const SurfaceModel model(elements, tags, kPointSpacing * result_.size);
     clock_.start("finding sizes");
     SizeDemands demands{.edge = edge, .size = result_.size, .area = area_, .tight = tight_};
     demands.most_lenient /= strictness_;

@@ -5,12 +5,15 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 namespace quarry {
 namespace {
 
 // The cosine of 80 degrees: a wall's other side turns by 180.
 constexpr double kSameSide = 0.17;
+// Points on edges for each square of their spacing, at most.
+constexpr double kMostPoints = 4;
 
 TriangleTree tree_of(const Mesh& mesh) {
   std::vector<Vec3> points;
@@ -25,7 +28,7 @@ TriangleTree tree_of(const Mesh& mesh) {
 
 }  // namespace
 
-SurfaceModel::SurfaceModel(const Mesh& triangles, const ConstraintTags& tags)
+SurfaceModel::SurfaceModel(const Mesh& triangles, const ConstraintTags& tags, double spacing)
     : tree_(tree_of(triangles)), normals_(corner_normals(triangles, tags)) {
   for (const VertexId v : triangles.vertices()) {
     if (!triangles.alive(v) || !tags.support[v].is_free()) continue;
@@ -33,6 +36,43 @@ SurfaceModel::SurfaceModel(const Mesh& triangles, const ConstraintTags& tags)
     free_points_.push_back({triangles.point3(v),
                             normals_[s.face().value()][static_cast<std::size_t>(s.index())],
                             s.face().value()});
+  }
+  if (std::isfinite(spacing)) add_edge_points(triangles, tags, spacing);
+}
+
+void SurfaceModel::add_edge_points(const Mesh& triangles, const ConstraintTags& tags, double spacing) {
+  double area = 0, sum = 0;
+  std::vector<std::pair<SideId, double>> edges;
+  for (const FaceId f : triangles.faces()) {
+    const Vec3 a = triangles.point3(triangles.corner(f, 0));
+    area += 0.5 * length(cross(triangles.point3(triangles.corner(f, 1)) - a,
+                               triangles.point3(triangles.corner(f, 2)) - a));
+    for (int k = 0; k < 3; ++k) {
+      const SideId s(f, k);
+      const SideId t = triangles.neighbour(s);
+      if (!t.valid() || t < s || tags.constrained(s)) continue;
+      const double size =
+          length(triangles.point3(triangles.target(s)) - triangles.point3(triangles.origin(s)));
+      if (!(size > spacing)) continue;
+      sum += size;
+      edges.emplace_back(s, size);
+    }
+  }
+  if (!(area > 0)) return;
+  const double step = std::max(spacing, sum * spacing * spacing / (kMostPoints * area));
+  double next = 0.5 * step;  // along the edge at hand
+  for (const auto& [s, size] : edges) {
+    for (; next < size; next += step) {
+      const double share = next / size;
+      SurfacePoint p;
+      p.triangle = TriangleId(s.face().value());
+      p.weights[static_cast<std::size_t>(s.index())] = 1 - share;
+      p.weights[static_cast<std::size_t>((s.index() + 1) % 3)] = share;
+      p.position =
+          (1 - share) * triangles.point3(triangles.origin(s)) + share * triangles.point3(triangles.target(s));
+      free_points_.push_back(with_normal(p));
+    }
+    next -= size;
   }
 }
 
@@ -63,6 +103,9 @@ bool SurfaceModel::faces_along(Vec3 place, Vec3 direction, double slack, double 
   ClosestQuery query;
   query.normal = (1 / size) * direction;
   query.least_cosine = 0;
+  // Whatever lies nearest: so near is near enough, and one search does.
+  query.radius = std::min(slack, reach);
+  if (tree_.closest(place, query).triangle.valid()) return true;
   const double squared = tree_.closest(place).squared_distance;
   query.radius = std::min(std::sqrt(squared) + slack, std::sqrt(squared + reach * reach));
   return tree_.closest(place, query).triangle.valid();

@@ -14,8 +14,10 @@ namespace quarry {
 
 class SurfaceModel : public SpaceModel {
  public:
-  // triangles: as make_sheets and bind_features leave them; not kept.
-  SurfaceModel(const Mesh& triangles, const ConstraintTags& tags);
+  // triangles: as make_sheets and bind_features leave them; not kept. spacing: of its own points along edges,
+  // in input units.
+  SurfaceModel(const Mesh& triangles, const ConstraintTags& tags,
+               double spacing = std::numeric_limits<double>::infinity());
 
   // The nearest point of the part of the surface whose triangles turn less than 80 degrees from p.up; of all
   // of it if there is none, or no direction is given (zero).
@@ -29,10 +31,14 @@ class SurfaceModel : public SpaceModel {
   [[nodiscard]] bool faces_along(Vec3 place, Vec3 direction, double slack,
                                  double reach = std::numeric_limits<double>::infinity()) const;
 
-  // Its own points that are on no feature, with the normals there.
+  // Its own points that are on no feature, with the normals there: vertices, and points in the spacing along
+  // all edges that are longer than it, one after the other; farther apart where slivers would get more than
+  // four for each square of the spacing. What is farthest from another surface lies on edges, as a rule.
   [[nodiscard]] std::span<const SpacePoint> free_points() const { return free_points_; }
 
  private:
+  void add_edge_points(const Mesh& triangles, const ConstraintTags& tags, double spacing);
+
   TriangleTree tree_;
   std::vector<CornerNormals> normals_;
   std::vector<SpacePoint> free_points_;

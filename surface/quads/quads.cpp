@@ -15,6 +15,7 @@
 #include "surface/quads/mend_faces.hpp"
 #include "surface/quads/place_on_surface.hpp"
 #include "surface/quads/reach_far_points.hpp"
+#include "surface/quads/slide_on_features.hpp"
 
 namespace quarry {
 namespace {
@@ -23,6 +24,8 @@ namespace {
 constexpr double kCountTolerance = 0.035;
 // Where sizes differ a quad is to have the area that those around it have, so many rounds of stars away.
 constexpr int kAreaAverages = 8;
+// At the end vertices move along features in so many rounds, so many sweeps each, the free ones between.
+constexpr int kSlideRounds = 2, kSlideSweeps = 5;
 
 class SurfaceQuads {
  public:
@@ -39,7 +42,7 @@ class SurfaceQuads {
     make_quads();
     smooth(options_.first_sweeps);
     if (options_.cleanup != CleanUpLevel::kNone) clean_up();
-    smooth(options_.last_sweeps);
+    slide_and_smooth();
     mend();
     report_.reached = reach_far_points(mesh_, ConstraintTags::of(mesh_), model_, options_.reach, progress_);
     return std::move(mesh_);
@@ -128,6 +131,18 @@ class SurfaceQuads {
                     .target = options_.target,
                     .smallest_move = options_.smallest_move});
     });
+  }
+
+  // Vertices on features and free ones in turns, at last the free ones.
+  void slide_and_smooth() {
+    for (int round = 0; round < kSlideRounds; ++round) {
+      add_time(report_.clean_up.smoothing_seconds, [&] {
+        const ConstraintTags tags = ConstraintTags::of(mesh_);
+        clear_feature_normals(mesh_, tags);
+        slide_on_features(mesh_, tags, network_, kSlideSweeps, progress_);
+      });
+      smooth(options_.last_sweeps / kSlideRounds);
+    }
   }
 
   [[nodiscard]] const SpaceModel& space() const { return model_; }

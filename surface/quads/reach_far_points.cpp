@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "engine/parallel/parallel.hpp"
@@ -26,20 +28,28 @@ class FarPoints {
         model_(model),
         options_(options),
         smoother_(model),
-        normals_(mesh.normals()) {}
+        normals_(mesh.normals()),
+        doubtful_(model.free_points().size()),
+        nearest_(model.free_points().size()) {
+    std::iota(doubtful_.begin(), doubtful_.end(), 0U);
+  }
 
   std::size_t run_round() {
     find_far();
     held_.assign(mesh_.vertex_slots(), 0);
     std::vector<VertexId> moved;
     for (const Far& far : far_)
-      if (const VertexId v = nearest_free(far); v.valid() && held_[v.value()] == 0 && reach(v, far)) {
+      if (const VertexId v = reach(far); v.valid()) {
         moved.push_back(v);
+        brought_.push_back(v);
         for_each_face_mate(v, [&](VertexId w) { held_[w.value()] = 1; });
         held_[v.value()] = 1;
       }
-    smooth_around(moved);
-    return moved.size();
+    const std::vector<VertexId> around = smooth_around(moved);
+    const std::size_t brought = moved.size();
+    moved.insert(moved.end(), around.begin(), around.end());
+    find_doubtful(moved);
+    return brought;
   }
 
  private:
@@ -56,7 +66,8 @@ class FarPoints {
     });
   }
 
-  // Quads are two triangles for this: how they are cut matters little.
+  // Quads are two triangles for this: how they are cut matters little. What was near a face that has not
+  // changed since is so still.
   void find_far() {
     std::vector<Vec3> points;
     for (const VertexId v : mesh_.vertices()) points.push_back(mesh_.point3(v));
@@ -69,24 +80,37 @@ class FarPoints {
         faces.push_back(f);
       }
     const TriangleTree tree(points, triangles);
-    const std::span<const SpacePoint> own = model_.free_points();
     std::vector<Vec3> places, normals;
-    for (const SpacePoint& p : own) {
-      places.push_back(p.place);
-      normals.push_back(p.up);
+    for (const std::uint32_t i : doubtful_) {
+      places.push_back(model_.free_points()[i].place);
+      normals.push_back(model_.free_points()[i].up);
     }
     ClosestQuery query;
     query.least_cosine = kSameSide;
     const std::vector<SurfacePoint> found = tree.closest_all(places, query, normals);
     far_.clear();
-    for (std::uint32_t i = 0; i < found.size(); ++i) {
-      if (!found[i].triangle.valid()) continue;
-      const FaceId f = faces[found[i].triangle.value()];
-      const double distance = std::sqrt(found[i].squared_distance);
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      const std::uint32_t i = doubtful_[k];
+      nearest_[i] = FaceId();
+      if (!found[k].triangle.valid()) continue;
+      const FaceId f = nearest_[i] = faces[found[k].triangle.value()];
+      const double distance = std::sqrt(found[k].squared_distance);
       if (distance > options_.far * edge_of(f)) far_.push_back({distance, i, f});
     }
     std::stable_sort(far_.begin(), far_.end(),
                      [](const Far& a, const Far& b) { return a.distance > b.distance; });
+  }
+
+  // The far points, and those nearest to a face with a corner that has moved, or to none.
+  void find_doubtful(const std::vector<VertexId>& moved) {
+    std::vector<std::uint8_t> doubtful(model_.free_points().size(), 0);
+    std::vector<std::uint8_t> changed(mesh_.face_slots(), 0);
+    for (const Far& far : far_) doubtful[far.point] = 1;
+    for (const VertexId v : moved)
+      for_each_side_around(mesh_, v, [&](SideId s) { changed[s.face().value()] = 1; });
+    doubtful_ = parallel::filter_indices(doubtful.size(), [&](std::size_t i) {
+      return doubtful[i] != 0 || !nearest_[i].valid() || changed[nearest_[i].value()] != 0;
+    });
   }
 
   [[nodiscard]] double edge_of(FaceId f) const {
@@ -95,25 +119,24 @@ class FarPoints {
     return std::sqrt(0.5 * length(cross(corner(2) - corner(0), corner(last) - corner(1))));
   }
 
-  [[nodiscard]] VertexId nearest_free(const Far& far) const {
-    VertexId best;
-    double least = 0;
-    const Vec3 aim = model_.free_points()[far.point].place;
+  // The free corner of the face that goes to the far point, the nearest of them that can; none if none can.
+  VertexId reach(const Far& far) {
+    const SpacePoint& aim = model_.free_points()[far.point];
+    corners_.clear();
     for (int k = 0; k < mesh_.corner_count(far.face); ++k) {
       const VertexId v = mesh_.corner(far.face, k);
-      if (!tags_.support[v].is_free()) continue;
-      const double distance = length(mesh_.point3(v) - aim);
-      if (best.valid() && !(distance < least)) continue;
-      best = v;
-      least = distance;
+      if (tags_.support[v].is_free() && held_[v.value()] == 0)
+        corners_.emplace_back(length(mesh_.point3(v) - aim.place), v);
     }
-    return best;
+    std::sort(corners_.begin(), corners_.end());
+    for (const auto& [distance, v] : corners_)
+      if (bring(v, aim)) return v;
+    return {};
   }
 
-  bool reach(VertexId v, const Far& far) {
+  bool bring(VertexId v, const SpacePoint& aim) {
     const SpacePoint before{mesh_.point3(v), normals_[v]};
     const double content = std::min(options_.least_jacobian, worst_around(mesh_, normals_, v));
-    const SpacePoint& aim = model_.free_points()[far.point];
     mesh_.set_point3(v, aim.place);
     normals_[v] = aim.up;
     if (worst_around(mesh_, normals_, v) >= content) return true;
@@ -122,23 +145,25 @@ class FarPoints {
     return false;
   }
 
-  // Two rings of free vertices around those that stay where they were brought.
-  void smooth_around(const std::vector<VertexId>& moved) {
+  // Two rings of free vertices around those that stay where they were brought, in this round or before;
+  // returns them.
+  std::vector<VertexId> smooth_around(const std::vector<VertexId>& moved) {
     std::vector<VertexId> around;
     for (const VertexId v : moved) for_each_face_mate(v, [&](VertexId w) { around.push_back(w); });
     const std::vector<VertexId> ring = around;
     for (const VertexId v : ring) for_each_face_mate(v, [&](VertexId w) { around.push_back(w); });
     std::sort(around.begin(), around.end());
     around.erase(std::unique(around.begin(), around.end()), around.end());
-    std::vector<VertexId> stay = moved;
+    std::vector<VertexId> stay = brought_;
     std::sort(stay.begin(), stay.end());
     std::erase_if(around, [&](VertexId v) {
       return !tags_.support[v].is_free() || mesh_.on_boundary(v) ||
              std::binary_search(stay.begin(), stay.end(), v);
     });
-    if (around.empty()) return;
+    if (around.empty()) return around;
     MeshEditor editor(mesh_);
     smoother_.run(editor, around, {.untangling_sweeps = 0, .sweeps = options_.sweeps, .area_averages = 4});
+    return around;
   }
 
   Mesh& mesh_;
@@ -147,7 +172,11 @@ class FarPoints {
   const ReachOptions& options_;
   LocalSmoother<SpaceModel> smoother_;
   Tag<VertexId, Vec3> normals_;
+  std::vector<std::uint32_t> doubtful_;  // points whose distance is not known
+  std::vector<FaceId> nearest_;          // by point
   std::vector<Far> far_;
+  std::vector<std::pair<double, VertexId>> corners_;  // of a face
+  std::vector<VertexId> brought_;
   std::vector<std::uint8_t> held_;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 #include "kernels/local/flip.hpp"
 #include "kernels/local/star.hpp"
@@ -29,10 +30,10 @@ class FlipBetter {
     const auto [a, b, c, d] = diamond_of(mesh, s);
     if (c == d) return false;
     const Vec3 pa = state_.point(a), pb = state_.point(b), pc = state_.point(c), pd = state_.point(d);
-    const double before = std::min(lo_measure(pa, pb, pc), lo_measure(pb, pa, pd));
-    const double after = std::min(lo_measure(pc, pa, pd), lo_measure(pd, pb, pc));
-    if (aim_ == FlipAim::kMeasure ? !(after > before + kLeastGain) : !(after >= kLowestForValence))
-      return false;
+    const double least = aim_ == FlipAim::kValence
+                             ? kLowestForValence
+                             : std::min(lo_measure(pa, pb, pc), lo_measure(pb, pa, pd)) + kLeastGain;
+    if (!(lo_measure(pc, pa, pd) >= least) || !(lo_measure(pd, pb, pc) >= least)) return false;
     const Vec3 old_1 = unit_normal(pa, pb, pc);
     const Vec3 old_2 = unit_normal(pb, pa, pd);
     const Vec3 new_1 = unit_normal(pc, pa, pd);
@@ -43,9 +44,25 @@ class FlipBetter {
     for (const Vec3 n : {new_1, new_2})
       if (!guard_.agrees(n, old_1) || !guard_.agrees(n, old_2)) return false;
     if (!guard_.faces_up({c, a, d}, {pc, pa, pd}) || !guard_.faces_up({d, b, c}, {pd, pb, pc})) return false;
-    if (aim_ == FlipAim::kValence && !gains_valence({a, b}, {c, d})) return false;
+    if (aim_ == FlipAim::kValence && !gains_valence({a, b}, {c, d}, [&](VertexId v) { return excess(v); }))
+      return false;
     // Last: it takes as long as all else, and few come so far.
     return !mesh.find_side(c, d).valid() && !mesh.find_side(d, c).valid();
+  }
+
+  // The wanted edges of the whole mesh; for valences those are looked at that would come nearer to six.
+  [[nodiscard]] std::vector<MeshEdge> all_wanted() const {
+    const Mesh& mesh = state_.mesh;
+    if (aim_ == FlipAim::kMeasure) return edges_where(mesh, [&](SideId s) { return wanted(s); });
+    std::vector<int> excesses(mesh.vertex_slots());
+    parallel::for_each(excesses.size(), [&](std::size_t i) {
+      if (mesh.alive(VertexId(i))) excesses[i] = excess(VertexId(i));
+    });
+    return edges_where(mesh, [&](SideId s) {
+      if (!mesh.neighbour(s).valid()) return false;
+      const auto [a, b, c, d] = diamond_of(mesh, s);
+      return gains_valence({a, b}, {c, d}, [&](VertexId v) { return excesses[v.value()]; }) && wanted(s);
+    });
   }
 
   bool propose(const Mesh& mesh, Item edge, Cavity& cavity, Plan& /*plan*/) const {
@@ -72,14 +89,16 @@ class FlipBetter {
     return faces - (state_.mesh.on_boundary(v) ? 3 : 6);
   }
 
-  [[nodiscard]] bool gains_valence(std::array<VertexId, 2> less, std::array<VertexId, 2> more) const {
+  template <class Excess>
+  [[nodiscard]] static bool gains_valence(std::array<VertexId, 2> less, std::array<VertexId, 2> more,
+                                          const Excess& excess_of) {
     int gain = 0;
     for (const VertexId v : less) {
-      const int e = excess(v);
+      const int e = excess_of(v);
       gain += e * e - (e - 1) * (e - 1);
     }
     for (const VertexId v : more) {
-      const int e = excess(v);
+      const int e = excess_of(v);
       gain += e * e - (e + 1) * (e + 1);
     }
     return gain > 0;
@@ -94,10 +113,7 @@ class FlipBetter {
 
 std::uint64_t flip_edges(RemeshState& state, FlipAim aim, const Progress& progress) {
   const FlipBetter operation(state, aim);
-  return run_pass(state.mesh, operation,
-                  edges_where(state.mesh, [&](SideId s) { return operation.wanted(s); }), PassOptions(),
-                  progress)
-      .won;
+  return run_pass(state.mesh, operation, operation.all_wanted(), PassOptions(), progress).won;
 }
 
 }  // namespace quarry

@@ -27,7 +27,9 @@ struct Latticed {
   LatticeReport report;
 };
 
-Latticed latticed(TriangleSurface surface, double spacing, const LatticeOptions& options = {}) {
+// triangles: their edge, in spacings.
+Latticed latticed(TriangleSurface surface, double spacing, const LatticeOptions& options = {},
+                  double triangles = 0.75) {
   const RepairedSurface repaired = repair_surface(std::move(surface), {});
   const FeatureOptions features{.size = spacing};
   const CurveNetwork network =
@@ -36,7 +38,7 @@ Latticed latticed(TriangleSurface surface, double spacing, const LatticeOptions&
   result.mesh = make_sheets(repaired);
   const SurfaceModel model(result.mesh, bind_features(result.mesh, network));
   const SurfaceSizes sizes(spacing);
-  remesh_surface(result.mesh, model, network, sizes.times(0.75), {}, Progress());
+  remesh_surface(result.mesh, model, network, sizes.times(triangles), {}, Progress());
   result.report = make_lattice(result.mesh, model, network, sizes, options, Progress());
   result.tags = ConstraintTags::of(result.mesh);
   EXPECT_EQ(validate(result.mesh, GeometryCheck::kNone), "");
@@ -44,6 +46,18 @@ Latticed latticed(TriangleSurface surface, double spacing, const LatticeOptions&
 }
 
 double flat(double /*x*/, double /*y*/) { return 0; }
+
+// A tube of radius 1: two closed rims without a node.
+TriangleSurface hoop_of(std::uint32_t around, std::uint32_t rows, double height) {
+  TriangleSurface tube = test::terrain(around, rows, flat);
+  for (Vec3& p : tube.points) {
+    const double angle = 2 * std::numbers::pi * p.x;
+    p = {std::cos(angle), std::sin(angle), height * p.y};
+  }
+  RepairOptions weld;
+  weld.weld = 1e-9;
+  return repair_surface(std::move(tube), weld).surface;
+}
 
 // Of constrained edges, each once.
 std::vector<double> feature_lengths(const Latticed& lattice) {
@@ -103,21 +117,21 @@ TEST(Lattice, HasTheWantedNumberOfCellsWhateverTheSpacing) {
   }
 }
 
-// A tube: two closed rims without a node.
 TEST(Lattice, KeepsClosedRims) {
-  TriangleSurface tube = test::terrain(64, 24, flat);
-  for (Vec3& p : tube.points) {
-    const double angle = 2 * std::numbers::pi * p.x;
-    p = {std::cos(angle), std::sin(angle), 2 * p.y};
-  }
-  RepairOptions weld;
-  weld.weld = 1e-9;
-  tube = repair_surface(std::move(tube), weld).surface;
-  const Latticed lattice = latticed(std::move(tube), 0.2);
+  const Latticed lattice = latticed(hoop_of(64, 24, 2), 0.2);
   double rims = 0;
   for (const double edge : feature_lengths(lattice)) rims += edge;
   EXPECT_NEAR(rims, 4 * std::numbers::pi, 0.1);
   EXPECT_LT(share_of_singles(lattice), 0.05);
+}
+
+// A hoop of one row of triangles, each a sixth of the spacing long: the estimate of the cells would be
+// negative.
+TEST(Lattice, OfATinyHoopHasASpacingThatIsANumber) {
+  const Latticed lattice = latticed(hoop_of(36, 1, 0.17), 1, {.wanted_cells = 3}, 0.17);
+  EXPECT_GT(lattice.report.scale, 0);
+  EXPECT_GT(lattice.mesh.count_alive_faces(), 0U);
+  for (const VertexId v : lattice.mesh.vertices()) EXPECT_LT(length(lattice.mesh.point3(v)), 1.1);
 }
 
 TEST(LatticeThreads, GiveTheSameMeshOnAnyNumber) {

@@ -55,5 +55,25 @@ TEST(SurfaceModel, TellsItsPointsThatAreOnNoFeature) {
   for (const SpacePoint& p : plain.model.free_points()) EXPECT_EQ(p.up, (Vec3{0, 0, 1}));
 }
 
+TEST(SurfaceModel, HasPointsAlongEdgesThatAreLongerThanTheirSpacing) {
+  const test::ModelledSurface cube = test::modelled(test::cube());
+  // Along the diagonals of the sides.
+  const SurfaceModel model(cube.mesh, ConstraintTags::of(cube.mesh), 0.5);
+  EXPECT_EQ(model.free_points().size(), 17U);
+  for (const SpacePoint& p : model.free_points()) {
+    EXPECT_LT(length(model.project({p.place, Vec3()}).place - p.place), 1e-12);
+    EXPECT_NEAR(length(p.up), 1, 1e-12);
+  }
+  EXPECT_EQ(SurfaceModel(cube.mesh, ConstraintTags::of(cube.mesh), 2).free_points().size(), 0U);
+}
+
+TEST(SurfaceModel, HasNoMorePointsAlongSliversThanTheirAreaIsWorth) {
+  const test::ModelledSurface plain =
+      test::modelled(test::terrain(1000, 1, [](double, double) { return 0.0; }));
+  const SurfaceModel model(plain.mesh, ConstraintTags::of(plain.mesh), 0.1);
+  EXPECT_GT(model.free_points().size(), 0U);
+  EXPECT_LE(model.free_points().size(), 800U);
+}
+
 }  // namespace
 }  // namespace quarry

@@ -12,6 +12,7 @@
 #include "engine/parallel/parallel.hpp"
 #include "kernels/quality/summary.hpp"
 #include "surface/feature/bind.hpp"
+#include "surface/quads/slide_on_features.hpp"
 #include "surface/remesh/remesh.hpp"
 #include "surface/repair/sheets.hpp"
 #include "tests/support/mesh_arrays.hpp"
@@ -23,6 +24,7 @@ namespace {
 struct Quads {
   Mesh mesh;
   SurfaceQuadReport report;
+  CurveNetwork network;
 };
 
 Quads quads_of(TriangleSurface surface, double edge, CleanUpLevel level = CleanUpLevel::kFull) {
@@ -31,12 +33,13 @@ Quads quads_of(TriangleSurface surface, double edge, CleanUpLevel level = CleanU
   const CurveNetwork network =
       make_curve_network(repaired.surface, find_feature_edges(repaired, features).edges, features);
   Mesh triangles = make_sheets(repaired);
-  const SurfaceModel model(triangles, bind_features(triangles, network));
+  const SurfaceModel model(triangles, bind_features(triangles, network), 0.5 * edge);
   remesh_surface(triangles, model, network, SurfaceSizes(2.2 * edge), {}, Progress());
   SurfaceQuadOptions options;
   options.cleanup = level;
   Quads result;
   result.mesh = make_surface_quads(std::move(triangles), model, network, options, result.report, Progress());
+  result.network = network;
   return result;
 }
 
@@ -78,6 +81,23 @@ TEST(SurfaceQuads, OfACubeKeepItsEdges) {
   EXPECT_NEAR(kept, 12, 1e-9);
 }
 
+TEST(SurfaceQuads, HaveVerticesThatSlideBackToGoodPlacesAlongEdges) {
+  Quads quads = quads_of(test::cube(), 0.1);
+  const ConstraintTags tags = ConstraintTags::of(quads.mesh);
+  const double good = summarize_quality(quads.mesh).quads.scaled_jacobian.mean;
+  for (const VertexId v : quads.mesh.vertices()) {
+    if (!tags.support[v].slides() || v.value() % 5 != 0) continue;
+    Vec3 aside;
+    for_each_constrained_neighbour(quads.mesh, tags, v, [&](VertexId w) { aside = quads.mesh.point3(w); });
+    quads.mesh.set_point3(v, quads.mesh.point3(v) + 0.4 * (aside - quads.mesh.point3(v)));
+  }
+  const double bad = summarize_quality(quads.mesh).quads.scaled_jacobian.mean;
+  ASSERT_LT(bad, good - 0.01);
+  EXPECT_GT(slide_on_features(quads.mesh, tags, quads.network, 10, Progress()).moved, 0U);
+  EXPECT_GT(summarize_quality(quads.mesh).quads.scaled_jacobian.mean, good - 0.1 * (good - bad));
+  EXPECT_NEAR(summarize_quality(quads.mesh).area, 6, 1e-9);
+}
+
 TEST(SurfaceQuads, OfATerrainKeepItsRim) {
   const auto height = [](double x, double y) { return 0.1 * std::sin(7 * x) * std::cos(5 * y); };
   const Quads quads = quads_of(test::terrain(40, 40, height), 0.03);
@@ -107,7 +127,7 @@ TEST(SurfaceQuads, ReachTheTipsOfTheSurface) {
   TriangleSurface spiny = test::sphere(5);
   // A blunt thorn, narrower than an element.
   for (Vec3& p : spiny.points)
-    if (p.z > 0.999) p.z += 0.04;
+    if (p.z > 0.999) p.z += 0.06;
   Vec3 tip;
   for (const Vec3 p : spiny.points) tip = p.z > tip.z ? p : tip;
   const Quads quads = quads_of(spiny, 0.1);
@@ -116,6 +136,23 @@ TEST(SurfaceQuads, ReachTheTipsOfTheSurface) {
   for (const VertexId v : quads.mesh.vertices()) least = std::min(least, length(quads.mesh.point3(v) - tip));
   EXPECT_LT(least, 0.02);
   EXPECT_GT(summarize_quality(quads.mesh).quads.scaled_jacobian.min, 0.15);
+}
+
+// All vertices of the surface lie on its rim.
+TEST(SurfaceQuads, ReachARidgeWhereTheSurfaceHasNoVertices) {
+  const auto height = [](double x, double) { return 0.06 * std::exp(-std::pow((x - 0.5) / 0.04, 2)); };
+  const Quads quads = quads_of(test::terrain(80, 1, height), 0.07);
+  EXPECT_GT(quads.report.reached, 0U);
+  double lowest = 1;  // of the highest vertices of strips across the ridge
+  for (double y = 0.2; y < 0.8; y += 0.2) {
+    double highest = 0;
+    for (const VertexId v : quads.mesh.vertices()) {
+      const Vec3 p = quads.mesh.point3(v);
+      if (std::abs(p.y - y) < 0.1) highest = std::max(highest, p.z);
+    }
+    lowest = std::min(lowest, highest);
+  }
+  EXPECT_GT(lowest, 0.05);
 }
 
 TEST(SurfaceQuadThreads, GiveTheSameMeshOnAnyNumber) {
