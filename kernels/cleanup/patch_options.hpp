@@ -33,7 +33,8 @@ struct PatchOptions {
   // Nor may an edge be longer than so many times the root of the mean area of the faces before, or than there
   // was one before. 0: any may.
   double longest_edge = 0;
-  // Fills of more faces than these start at harmonic places, see patch_placement.hpp: fewer of them are refused.
+  // Fills of more faces than these start at harmonic places, see patch_placement.hpp: fewer of them are
+  // refused.
   std::size_t harmonic_from = 0;
   // Of the fills that are folded after six sweeps of untangling one in two hundred would ever be kept.
   LocalShapeOptions smoothing{.untangling_sweeps = 6, .sweeps = 4};
