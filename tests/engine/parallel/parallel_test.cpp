@@ -50,6 +50,14 @@ TEST(ExclusiveScan, EqualsTheSerialScan) {
   EXPECT_EQ(values, expected);
 }
 
+TEST(FilterIndices, AsksAboutEachOnce) {
+  constexpr std::size_t kSize = 10'007;  // no multiple of a word
+  std::vector<int> asked(kSize, 0);
+  const auto kept = filter_indices(kSize, [&](std::size_t i) { return ++asked[i] == 1; });
+  EXPECT_EQ(kept.size(), kSize);
+  EXPECT_EQ(asked, std::vector<int>(kSize, 1));
+}
+
 TEST(FilterIndices, KeepsOrder) {
   const auto kept = filter_indices(100'000, [](std::size_t i) { return i % 3 == 1; });
   ASSERT_EQ(kept.size(), 33'333U);
