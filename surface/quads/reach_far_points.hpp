@@ -22,7 +22,8 @@ struct ReachOptions {
 
 // Of the free corners of the face that is nearest to a far point of the surface's own, the nearest that can
 // goes there and stays, the farthest point first, no two that share a face in one round; those around it are
-// smoothed. Needs the normals of the mesh, features without one. Returns how many vertices were moved. The same on any number of threads.
+// smoothed. Needs the normals of the mesh, features without one. Returns how many vertices were moved. The
+// same on any number of threads.
 std::size_t reach_far_points(Mesh& mesh, const ConstraintTags& tags, const SurfaceModel& model,
                              const ReachOptions& options, const Progress& progress);
 
