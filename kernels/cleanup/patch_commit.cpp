@@ -31,6 +31,7 @@ struct PatchCommit<Model>::Worker {
   FaceReplacer replacer;
   LocalSmoother<Model> smoother;
   PatchLayout layout;
+  LayoutNeighbours neighbours;
   std::vector<Point> points;            // by local number
   std::vector<VertexId> vertices;       // by local number
   std::vector<FaceCorners> fresh, old;  // corners
@@ -132,7 +133,8 @@ void PatchCommit<Model>::place(MeshEditor& editor, const PatchProposal& proposal
   worker.points.clear();
   for (const VertexId v : proposal.rim) worker.points.push_back(place_of<Point>(editor, v));
   place_layout(worker.layout, worker.points);
-  if (worker.layout.quads().size() > options_->harmonic_from) relax_layout(worker.layout, worker.points);
+  if (worker.layout.quads().size() > options_->harmonic_from)
+    relax_layout(worker.layout, worker.points, worker.neighbours);
   worker.vertices = proposal.rim;
   worker.movable.clear();
   for (std::uint32_t i = worker.layout.rim(); i < worker.layout.vertices(); ++i) {

@@ -65,31 +65,44 @@ void place_layout(const PatchLayout& layout, std::vector<Point>& points) {
     detail::place_grid(layout.members(grid), grid.columns, grid.rows, points);
 }
 
+// Whom each new vertex of a layout is joined to; kept from one fill to the next for its memory.
+struct LayoutNeighbours {
+  std::vector<std::uint32_t> begin;   // by vertex, of its row in joined
+  std::vector<std::uint32_t> joined;  // rows of vertices
+  std::vector<std::uint32_t> at;      // by vertex, where the next is put
+
+  // The sides of the quads from each corner to the next: an inner edge is one of two quads, once each way.
+  void build(const PatchLayout& layout) {
+    const auto for_each_side = [&](const auto& visit) {
+      for (const PatchLayout::Quad& quad : layout.quads())
+        for (std::size_t k = 0; k < 4; ++k)
+          if (quad[k] >= layout.rim()) visit(quad[k], quad[(k + 1) % 4]);
+    };
+    begin.assign(layout.vertices() + 1, 0);
+    for_each_side([&](std::uint32_t v, std::uint32_t) { ++begin[v + 1]; });
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    joined.resize(begin.back());
+    at.assign(begin.begin(), begin.end() - 1);
+    for_each_side([&](std::uint32_t v, std::uint32_t w) { joined[at[v]++] = w; });
+  }
+};
+
 // Moves the new vertices of a layout to the harmonic places: each in the middle of those that it is joined
 // to, with the rim where it is, as in an embedding of Tutte (1963). Straight spokes fold the grids of patches
 // that are not convex; this folds little, and lets smoothing begin near its end. By successive
 // over-relaxation, a few sweeps for each row that a change has to cross. points: of all vertices of the
-// layout.
+// layout; neighbours: scratch.
 template <class Point>
-void relax_layout(const PatchLayout& layout, std::vector<Point>& points) {
+void relax_layout(const PatchLayout& layout, std::vector<Point>& points, LayoutNeighbours& neighbours) {
   constexpr double kSweepsPerRow = 3;
-  const std::uint32_t rim = layout.rim();
-  // The sides of the quads from each corner to the next: an inner edge is one of two quads, once each way.
-  const auto for_each_side = [&](const auto& visit) {
-    for (const PatchLayout::Quad& quad : layout.quads())
-      for (std::size_t k = 0; k < 4; ++k)
-        if (quad[k] >= rim) visit(quad[k], quad[(k + 1) % 4]);
-  };
-  std::vector<std::uint32_t> begin(layout.vertices() + 1, 0);
-  for_each_side([&](std::uint32_t v, std::uint32_t) { ++begin[v + 1]; });
-  std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  std::vector<std::uint32_t> joined(begin.back()), at(begin.begin(), begin.end() - 1);
-  for_each_side([&](std::uint32_t v, std::uint32_t w) { joined[at[v]++] = w; });
+  neighbours.build(layout);
+  const std::vector<std::uint32_t>& begin = neighbours.begin;
+  const std::vector<std::uint32_t>& joined = neighbours.joined;
   const double rows = std::sqrt(static_cast<double>(layout.quads().size()));
   const double relaxation = 2 / (1 + std::sin(std::numbers::pi / std::max(rows, 2.0)));
   const int sweeps = static_cast<int>(kSweepsPerRow * rows);
   for (int sweep = 0; sweep < sweeps; ++sweep) {
-    for (std::uint32_t v = rim; v < layout.vertices(); ++v) {
+    for (std::uint32_t v = layout.rim(); v < layout.vertices(); ++v) {
       Point sum{};
       for (std::uint32_t i = begin[v]; i < begin[v + 1]; ++i) sum = sum + points[joined[i]];
       points[v] =
