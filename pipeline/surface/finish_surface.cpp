@@ -8,6 +8,7 @@
 #include "engine/mesh/constraint.hpp"
 #include "engine/mesh/pinch.hpp"
 #include "engine/parallel/parallel.hpp"
+#include "io/mesh/mesh_file.hpp"
 #include "kernels/quality/face.hpp"
 #include "surface/repair/sheets.hpp"
 
