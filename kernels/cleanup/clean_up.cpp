@@ -20,12 +20,11 @@ class CleanUp {
   void run() {
     progress_.report("clean-up", 0);
     add_time(report_.smoothing_seconds, [&] { smooth_between(); });
-    add_time(report_.local_seconds, [&] {
-      open();
-      report_.local = clean_up_locally(mesh_, PlaneModel(), options_.local, progress_);
-      close();
-    });
-    if (options_.level != CleanUpLevel::kLocal) remesh();
+    clean_up_locally(report_.local);
+    if (options_.level != CleanUpLevel::kLocal) {
+      remesh();
+      clean_up_locally(report_.local_at_end);
+    }
     add_time(report_.smoothing_seconds, [&] {
       report_.shape = sweep(options_.shape);
       SquareCornersOptions squaring = options_.square_corners;
@@ -47,6 +46,14 @@ class CleanUp {
     mesh_.remove_tag<VertexId>(kIdealTag);
     compact(mesh_, EntityOrder::kHilbert);
     give_back_freed_memory();
+  }
+
+  void clean_up_locally(LocalCleanupReport& report) {
+    add_time(report_.local_seconds, [&] {
+      open();
+      report = quarry::clean_up_locally(mesh_, PlaneModel(), options_.local, progress_);
+      close();
+    });
   }
 
   void remesh() {

@@ -1,6 +1,6 @@
 // Topological clean-up of a planar quad mesh with constraints: local operators, then one-defect patches from
 // small to large, with sweeps of smoothing over the whole mesh in between, which keep large patches
-// acceptable. The steps have headers of their own; this is their order and their defaults.
+// acceptable, and the local operators again: vertices of six edges on the rims of patches are split. The steps have headers of their own; this is their order and their defaults.
 //   C. Verma, T. Tautges: Jaal: engineering a high quality all-quadrilateral mesh generator. IMR 20, 2011.
 //   G. Bunin: Non-local topological clean-up. IMR 15, 2006.
 #pragma once
@@ -61,6 +61,7 @@ struct CleanUpOptions {
 struct CleanUpReport {
   LocalCleanupReport local;
   std::vector<PatchReport> patches;  // one a size class
+  LocalCleanupReport local_at_end;   // after the patches
   SweepReport between;               // all classes together
   SweepReport shape, square_corners, optimise;
   double local_seconds = 0, patch_seconds = 0, smoothing_seconds = 0;

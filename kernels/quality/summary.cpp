@@ -175,9 +175,14 @@ std::vector<std::uint8_t> vertices_on_edges(const Mesh& mesh) {
   return on;
 }
 
+void count_valence(std::vector<std::size_t>& histogram, std::size_t valence, std::size_t vertices = 1) {
+  if (histogram.size() <= valence) histogram.resize(valence + 1, 0);
+  histogram[valence] += vertices;
+}
+
 void add_vertex(ValenceSummary& summary, std::size_t valence, bool free) {
-  if (summary.histogram.size() <= valence) summary.histogram.resize(valence + 1, 0);
-  ++summary.histogram[valence];
+  count_valence(summary.histogram, valence);
+  if (free) count_valence(summary.free_histogram, valence);
   const bool irregular = valence != static_cast<std::size_t>(summary.regular);
   ++summary.interior;
   summary.irregular += irregular ? 1 : 0;
@@ -190,8 +195,10 @@ ValenceSummary merged(ValenceSummary summary, const ValenceSummary& other) {
   summary.irregular += other.irregular;
   summary.free += other.free;
   summary.free_irregular += other.free_irregular;
-  if (summary.histogram.size() < other.histogram.size()) summary.histogram.resize(other.histogram.size(), 0);
-  for (std::size_t i = 0; i < other.histogram.size(); ++i) summary.histogram[i] += other.histogram[i];
+  for (std::size_t i = 0; i < other.histogram.size(); ++i)
+    count_valence(summary.histogram, i, other.histogram[i]);
+  for (std::size_t i = 0; i < other.free_histogram.size(); ++i)
+    count_valence(summary.free_histogram, i, other.free_histogram[i]);
   return summary;
 }
 

@@ -50,6 +50,7 @@ struct ValenceSummary {
   std::size_t free = 0;       // interior vertices on no edge entity (constraint or boundary)
   std::size_t free_irregular = 0;
   std::vector<std::size_t> histogram;  // of interior vertices, by valence
+  std::vector<std::size_t> free_histogram;
 
   [[nodiscard]] double irregular_share() const { return share(irregular, interior); }
   [[nodiscard]] double free_irregular_share() const { return share(free_irregular, free); }

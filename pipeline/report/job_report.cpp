@@ -42,16 +42,21 @@ Json json_of(const ShapeSummary& shape) {
   return object;
 }
 
+Json json_of_valences(const std::vector<std::size_t>& histogram) {
+  Json object = Json::object();
+  for (std::size_t i = 0; i < histogram.size(); ++i)
+    if (histogram[i] != 0) object[std::to_string(i)] = histogram[i];
+  return object;
+}
+
 Json json_of(const ValenceSummary& valence) {
-  Json histogram = Json::object();
-  for (std::size_t i = 0; i < valence.histogram.size(); ++i)
-    if (valence.histogram[i] != 0) histogram[std::to_string(i)] = valence.histogram[i];
   return {{"regular", valence.regular},
           {"interior_vertices", valence.interior},
           {"irregular_share", valence.irregular_share()},
           {"free_vertices", valence.free},
           {"free_irregular_share", valence.free_irregular_share()},
-          {"histogram", std::move(histogram)}};
+          {"histogram", json_of_valences(valence.histogram)},
+          {"free_histogram", json_of_valences(valence.free_histogram)}};
 }
 
 Json json_of(const QualitySummary& quality) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "surface/feature/corners.hpp"
+#include "surface/feature/cusps.hpp"
 
 namespace quarry {
 namespace {
@@ -38,6 +39,7 @@ class CurveBuilder {
         corners.push_back(chain.points[corner]);
     }
     for (const std::uint32_t corner : corners) node_[corner] = 1;
+    for (const std::uint32_t cusp : find_cusps(surface_, bound(), options_.size)) node_[cusp] = 1;
     CurveNetwork network;
     for (std::uint32_t p = 0; p < node_.size(); ++p)
       if (node_[p] != 0) network.nodes.push_back(p);
@@ -57,6 +59,12 @@ class CurveBuilder {
 
   [[nodiscard]] std::span<const std::uint32_t> around(std::uint32_t p) const {
     return std::span(at_).subspan(begin_[p], begin_[p + 1] - begin_[p]);
+  }
+  // By point, whether it lies on a feature.
+  [[nodiscard]] std::vector<std::uint8_t> bound() const {
+    std::vector<std::uint8_t> bound(node_.size());
+    for (std::uint32_t p = 0; p < bound.size(); ++p) bound[p] = around(p).empty() ? 0 : 1;
+    return bound;
   }
   [[nodiscard]] std::vector<Vec3> points_of(std::span<const std::uint32_t> chain) const {
     std::vector<Vec3> points;

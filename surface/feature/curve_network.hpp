@@ -33,9 +33,10 @@ struct CurveNetwork {
   [[nodiscard]] PieceId under_edge(Support a, Support b, Vec3 middle) const;
 };
 
-// Nodes are the points at which other than two features meet, or two of different kinds or lines, and the
+// Nodes are the points at which other than two features meet, or two of different kinds or lines, the
 // corners of chains: places where a chain turns by the stated angle over the stated length, strongest first
-// and none within that length of another node. A closed curve may have no node.
+// and none within that length of another node, and cusps, at which no curve ends
+// (surface/feature/cusps.hpp). A closed curve may have no node.
 [[nodiscard]] CurveNetwork make_curve_network(const TriangleSurface& surface,
                                               std::span<const FeatureEdge> features,
                                               const FeatureOptions& options);

@@ -44,6 +44,7 @@ FeatureEdges find_feature_edges(const RepairedSurface& repaired, const FeatureOp
   const std::vector<double> angles = dihedral_angles(surface, edges);
   const double sharp_degrees = options.sharp_degrees.value_or(find_sharpness(surface, edges, angles));
   const double sharp = sharp_degrees * kDegree;
+  const double shortest = options.shortest_chain * options.size;
   std::vector<SharpEdge> nearly_sharp;
   std::vector<FeatureEdge> features;
   for (std::size_t e = 0; e < edges.count(); ++e) {
@@ -59,15 +60,18 @@ FeatureEdges find_feature_edges(const RepairedSurface& repaired, const FeatureOp
     } else if (options.group_borders && surface.groups[sides[0] / 3] != surface.groups[sides[1] / 3]) {
       features.push_back({ends, FeatureKind::kBorder});
     } else if (angles[e] >= options.weakest_share * sharp) {
-      nearly_sharp.push_back(
-          {ends, angles[e] >= sharp && angles[e] >= options.contrast * turn_beside(edges, angles, e)});
+      // An edge that is a chain by itself is no noise, whatever the edges beside it are: each face of a
+      // polyhedron may be a single triangle.
+      const double size = length(surface.points[ends[1]] - surface.points[ends[0]]);
+      const bool no_noise =
+          (shortest > 0 && size >= shortest) || angles[e] >= options.contrast * turn_beside(edges, angles, e);
+      nearly_sharp.push_back({ends, angles[e] >= sharp && no_noise});
     }
   }
   std::vector<std::uint8_t> bound(surface.points.size(), 0);
   for (const FeatureEdge& feature : features)
     for (const std::uint32_t p : feature.ends) bound[p] = 1;
-  for (const SharpEdge& edge : keep_long_chains(surface.points, std::move(nearly_sharp), bound,
-                                                options.shortest_chain * options.size))
+  for (const SharpEdge& edge : keep_long_chains(surface.points, std::move(nearly_sharp), bound, shortest))
     features.push_back({edge.ends, FeatureKind::kSharp});
   std::sort(features.begin(), features.end(),
             [](const FeatureEdge& a, const FeatureEdge& b) { return a.ends < b.ends; });

@@ -10,7 +10,8 @@ struct FeatureOptions {
   // itself. Unset: what the surface itself tells (surface/feature/sharpness.hpp).
   std::optional<double> sharp_degrees = {};
   // A sharp edge must also turn so many times as much as the surface beside it does: on a noisy scan all
-  // edges turn. Beside it are the other two edges of each triangle, of which the flatter one counts.
+  // edges turn. Beside it are the other two edges of each triangle, of which the flatter one counts. An edge
+  // as long as the shortest chain need not.
   double contrast = 2.5;
   // A chain that has an edge as sharp as that goes on along edges that turn by this share of it.
   double weakest_share = 0.6;
