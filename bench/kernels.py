@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""The kernels alone, without files around them: elements a second on 1, 2, ... threads. Writes docs/results-kernels.md.
+"""The kernels alone, without files around them: elements a second on 1, 2, ... threads. Prints a table in
+Markdown, or writes it as docs/results-kernels.md.
 
 usage: kernels.py [--programs build/bench/bench] [--threads 1,2] [--only NAME,...] [--filter REGEX] [--quick]
                   [--out docs/results-kernels.md]
@@ -8,7 +9,7 @@ usage: kernels.py [--programs build/bench/bench] [--threads 1,2] [--only NAME,..
            cleanup, matching
 --filter   of the benchmarks in programs that have a harness (Google Benchmark), those whose names fit this
 --quick    short runs on small input
---out      a page whose text below the tables is kept; without it the table is printed
+--out      the page; without it the table is printed
 
 Build the programs before (`./run bench` does, as cmake's preset `bench`). Nothing else should run meanwhile.
 """
@@ -19,21 +20,19 @@ import re
 import subprocess
 import tempfile
 
-import page
 from jobs import machine_text, run, say, source_commit
 from tables import table, thousands
 
 PAGE = """# Kernels alone
 
-Made by `bench/kernels.py` (the text at the end apart), which anyone can rerun; do not edit the table. Each kernel by
+Made by `bench/kernels.py`, which anyone can rerun; do not edit. Each kernel by
 itself, on input that is in memory, by the clock; with one thread matching is by processor time. What an element is, the
 table says: what a kernel is given, or, of start meshes and insertion, what it makes. Input: networks of `quarry generate
 fractures` (bench/synthetic_network), drawn domains (bench/domains), random keys and points. Kernels without a figure for
 more threads than one are called from within parallel loops. Machine: {machine}. Sources as of {commit}.
 
 {table}
-
-""" + page.MISSED_HEADING + "\n"
+"""
 
 HARNESS = ("engine", "initial", "deferred", "cluster", "smooth", "mesh_reader")
 # What is counted, by the beginning of a benchmark's name.
@@ -170,10 +169,11 @@ def main():
         programs = Programs(arguments, folder)
         kept = {"machine": machine_text(), "commit": source_commit(),
                 "table": table_of(measure(programs, arguments.only), programs.threads)}
-    if arguments.out:
-        page.write(arguments.out, kept, lambda kept, missed: PAGE.format(**kept) + missed)
-    else:
+    if not arguments.out:
         print(kept["table"])
+        return
+    with open(arguments.out, "w") as file:
+        file.write(PAGE.format(**kept))
 
 
 if __name__ == "__main__":

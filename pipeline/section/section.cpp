@@ -72,13 +72,13 @@ ConstraintTags prepare_start(Mesh& mesh) {
   return tags;
 }
 
-Mesh start_mesh(const SectionOptions& options, const SectionResult& result, const Progress& progress) {
+Mesh start_mesh(const SectionOptions& options, SectionResult& result, const Progress& progress) {
   const double spacing = spacing_of(options, result.lengths.size);
   const NodedLines& lines = result.cleaned.lines;
   if (!result.sizes) return make_start_mesh(options, lines, spacing, result.orient_degrees);
   // Triangles are in proportion to the elements that they become.
   const ScaledSize sizes(result.sizes->field(), spacing / result.lengths.size);
-  return make_graded_start(lines, sizes, spacing, result.orient_degrees, progress);
+  return make_graded_start(lines, sizes, spacing, result.orient_degrees, result.start, progress);
 }
 
 void insert(const SectionOptions& options, SectionResult& result, const Progress& progress) {

@@ -43,6 +43,7 @@ struct SectionResult {
   double elements = 0;                 // expected in the box of the outline
   double orient_degrees = 0;
   std::int32_t regions = 0;
+  PassReport start;  // where sizes differ by place
   DeferredReport deferred;
   PassReport whole_outline;  // with keep_boundary
   QuadReport quads;          // of quad meshes by clusters

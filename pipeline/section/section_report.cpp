@@ -181,9 +181,13 @@ void describe_lines(const LineSet& lines, JobReport& report) {
   for (const CoordinateSystem& system : lines.systems) report.coordinate_systems.push_back(system.definition);
 }
 
-// Those of the last mesh that --count asked for, in the order in which they ran.
+// Those of the last mesh that --count asked for, in the order in which they ran; none of a job that only
+// cleans.
 std::vector<PassReport> passes_of(const SectionOptions& options, const SectionResult& result) {
-  std::vector<PassReport> passes = {result.deferred.nodes, result.deferred.pieces};
+  if (result.mesh.face_slots() == 0) return {};
+  std::vector<PassReport> passes;
+  if (result.sizes) passes.push_back(result.start);
+  passes.insert(passes.end(), {result.deferred.nodes, result.deferred.pieces});
   const auto append = [&](const std::vector<PassReport>& more) {
     passes.insert(passes.end(), more.begin(), more.end());
   };

@@ -203,6 +203,8 @@ TEST(SectionReport, CountsEachPassThatRan) {
   EXPECT_EQ(passes_with(Elements::kTriangle, QuadMethod::kCluster, true),
             (Names{"nodes", "lines", "vertices taken out of the outline", "flips to better triangles"}));
   EXPECT_GE(passes_with(Elements::kQuad, QuadMethod::kMatching).size(), 4U);
+  const SectionOptions options = options_for("tests/data/demo_section.geojson", 12);
+  EXPECT_TRUE(report_section(options, clean_section(options, {}), {}).passes.empty());
 }
 
 TEST(SectionLengths, AreReportedAsTheyWereUsed) {
