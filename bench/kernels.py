@@ -35,10 +35,12 @@ more threads than one are called from within parallel loops. Machine: {machine}.
 """
 
 HARNESS = ("engine", "initial", "deferred", "cluster", "smooth", "mesh_reader")
-# What is counted, by the beginning of a benchmark's name.
-ELEMENTS = {"sorted_order": "keys", "run_predicate": "predicates", "make_start": "triangles made", "insert_network": "attractions",
-            "pair": "triangles", "recut": "triangles", "merge_and_halve": "triangles", "smooth_quads": "quads",
-            "smooth_region": "vertices", "quarry_reads": "triangles"}
+# How a benchmark is called, and what it counts, by the beginning of its name.
+KERNELS = {"sorted_order_by_radix": ("sorting by radix", "keys"), "run_predicate": ("predicate", "calls"),
+           "make_start": ("start mesh", "triangles made"), "insert_network": ("insertion of lines", "attractions"),
+           "pair": ("pairing", "triangles"), "recut": ("recutting of mixed meshes", "triangles"),
+           "merge_and_halve": ("merging and halving", "triangles"), "smooth_quads": ("smoothing", "quads"),
+           "smooth_region": ("smoothing of a region", "vertices"), "quarry_reads": ("reading", "triangles")}
 UNITS = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1}
 PEERS = re.compile("assimp_reads|by_stable_sort")
 STEPS = {"shapes_s": "shapes of pairs", "ways_s": "short ways", "forest_s": "spanning forest", "parity_s": "parities",
@@ -75,8 +77,10 @@ def of_harness(programs, name):
     for row in json.loads("\n".join(programs.printed(name, "--benchmark_format=json", *extra)))["benchmarks"]:
         if PEERS.search(row["name"]):
             continue
-        words, given, threads = [], [], 1
-        for part in row["name"].split("/"):
+        base, *parts = row["name"].split("/")
+        kernel, element = next(known for start, known in KERNELS.items() if base.startswith(start))
+        words, given, threads = [kernel], [], 1
+        for part in parts:
             label, colon, value = part.partition(":")
             if label == "threads":
                 threads = int(value)
@@ -84,14 +88,14 @@ def of_harness(programs, name):
                 given.append(f"{label} {int(value):,}")
             elif not colon and part != "real_time":
                 words.append(part.replace("_", " "))
-        element = next(what for start, what in ELEMENTS.items() if row["name"].startswith(start))
-        yield " ".join(words), size_of(row, given), element, threads, row["items_per_second"]
+        yield ", ".join(words), size_of(row, given), element, threads, row["items_per_second"]
 
 
 def size_of(row, given):
     """Elements a run, and what the benchmark was given."""
     took = row["real_time" if row["name"].endswith("/real_time") else "cpu_time"]
-    return f"{row['items_per_second'] * took * UNITS[row['time_unit']]:,.0f}" + (f" ({', '.join(given)})" if given else "")
+    count = f"{row['items_per_second'] * took * UNITS[row['time_unit']]:,.0f}"
+    return f"{count} ({', '.join(given)})" if given and not given[0].endswith(f" {count}") else count
 
 
 def of_linework(programs):
