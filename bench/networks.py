@@ -97,8 +97,8 @@ def measure(arguments):
                 peers += peer_rows(bench, label, clean, size, quads)
             os.remove(lines)
     return {"machine": machine_text(), "commit": source_commit(), "repeat": arguments.repeat, "limit": arguments.limit,
-            "quick": arguments.quick, "near": KEPT_WITHIN, "quarry": ours, "peers": peers, "ratios": ratios.find_ratios(ours, peers),
-            "rates": ratios.find_rates(ours)}
+            "quick": arguments.quick, "near": KEPT_WITHIN, "quarry": ours, "peers": peers,
+            "ratios": ratios.find_ratios(ours, peers), "rates": ratios.find_rates(ours)}
 
 
 def parse():
