@@ -1,12 +1,15 @@
-// From triangles to quads: pairing by either measure, and merging with halving. In triangles a second.
+// From triangles to quads: pairing by either measure, recutting, and merging with halving. In triangles a
+// second.
 #include <utility>
 
 #include <benchmark/benchmark.h>
 
 #include "bench/synthetic_network.hpp"
+#include "bench/thread_counts.hpp"
 #include "engine/parallel/parallel.hpp"
 #include "kernels/cluster/merge.hpp"
 #include "kernels/cluster/pairing.hpp"
+#include "kernels/cluster/rearrange.hpp"
 #include "kernels/cluster/subdivide.hpp"
 
 namespace quarry {
@@ -29,13 +32,36 @@ void pair(benchmark::State& state, PairMeasure measure) {
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(mesh.count_alive_faces()));
 }
 BENCHMARK_CAPTURE(pair, by_quad_quality, PairMeasure::kQuadQuality)
-    ->Arg(1)
-    ->Arg(2)
+    ->ArgsProduct({bench::thread_counts()})
+    ->ArgNames({"threads"})
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(pair, by_longest_edge, PairMeasure::kLongestEdge)
-    ->Arg(1)
-    ->Arg(2)
+    ->ArgsProduct({bench::thread_counts()})
+    ->ArgNames({"threads"})
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
+
+// Argument: threads. The mixed mesh is made anew while the clock stands.
+void recut(benchmark::State& state) {
+  const CleanedLines cleaned = bench::clean_network(kLines, kSize);
+  const Mesh triangles = bench::triangle_mesh(cleaned.lines, kSize);
+  PairingReport paired;
+  const Pairing pairing = pair_triangles(triangles, ConstraintTags::of(triangles), {}, paired, {});
+  parallel::with_threads(static_cast<int>(state.range(0)), [&] {
+    for (auto _ : state) {
+      state.PauseTiming();
+      Mesh mixed = merge_pairs(bench::triangle_mesh(cleaned.lines, kSize), pairing);
+      state.ResumeTiming();
+      benchmark::DoNotOptimize(rearrange(mixed, {}, {}));
+    }
+  });
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(triangles.count_alive_faces()));
+}
+BENCHMARK(recut)
+    ->ArgsProduct({bench::thread_counts()})
+    ->ArgNames({"threads"})
+    ->Iterations(3)
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);
 
@@ -56,7 +82,12 @@ void merge_and_halve(benchmark::State& state) {
   });
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(triangles.count_alive_faces()));
 }
-BENCHMARK(merge_and_halve)->Arg(1)->Arg(2)->Iterations(5)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(merge_and_halve)
+    ->ArgsProduct({bench::thread_counts()})
+    ->ArgNames({"threads"})
+    ->Iterations(5)
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace quarry

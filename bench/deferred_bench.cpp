@@ -3,6 +3,7 @@
 #include <benchmark/benchmark.h>
 
 #include "bench/synthetic_network.hpp"
+#include "bench/thread_counts.hpp"
 #include "engine/parallel/parallel.hpp"
 #include "kernels/deferred/deferred.hpp"
 
@@ -33,11 +34,13 @@ void insert_network(benchmark::State& state, Options make_options) {
   state.SetItemsProcessed(static_cast<std::int64_t>(attractions));
 }
 BENCHMARK_CAPTURE(insert_network, default, default_options)
-    ->ArgsProduct({{300, 3000}, {1, 2}})
+    ->ArgsProduct({{300, 3000}, bench::thread_counts()})
+    ->ArgNames({"lines", "threads"})
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(insert_network, paper, paper_options)
-    ->ArgsProduct({{300}, {1, 2}})
+    ->ArgsProduct({{300}, bench::thread_counts()})
+    ->ArgNames({"lines", "threads"})
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);
 

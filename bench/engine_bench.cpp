@@ -7,6 +7,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include "bench/thread_counts.hpp"
 #include "engine/base/random.hpp"
 #include "engine/geometry/predicates.hpp"
 #include "engine/parallel/parallel.hpp"
@@ -33,7 +34,10 @@ void sorted_order_by_radix(benchmark::State& state) {
   });
   count_items(state, keys.size());
 }
-BENCHMARK(sorted_order_by_radix)->ArgsProduct({{1 << 10, 1 << 16, 1 << 20, 1 << 22}, {1, 2}})->UseRealTime();
+BENCHMARK(sorted_order_by_radix)
+    ->ArgsProduct({{1 << 10, 1 << 16, 1 << 20, 1 << 22}, bench::thread_counts()})
+    ->ArgNames({"keys", "threads"})
+    ->UseRealTime();
 
 void sorted_order_by_stable_sort(benchmark::State& state) {
   const auto keys = random_keys(static_cast<std::size_t>(state.range(0)));

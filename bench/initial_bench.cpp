@@ -2,6 +2,7 @@
 // second.
 #include <benchmark/benchmark.h>
 
+#include "bench/thread_counts.hpp"
 #include "engine/parallel/parallel.hpp"
 #include "kernels/initial/crisscross.hpp"
 #include "kernels/initial/delaunay.hpp"
@@ -28,11 +29,13 @@ Mesh crisscross(double cell) { return make_crisscross(kBox, {.cell = cell}); }
 Mesh delaunay(double spacing) { return make_delaunay(kBox, {.spacing = spacing}); }
 
 BENCHMARK_CAPTURE(make_start, crisscross, crisscross)
-    ->ArgsProduct({{100, 1000}, {1, 2}})
+    ->ArgsProduct({{100, 1000}, bench::thread_counts()})
+    ->ArgNames({"cells", "threads"})
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(make_start, delaunay, delaunay)
-    ->ArgsProduct({{100, 400}, {1, 2}})
+    ->ArgsProduct({{100, 400}, bench::thread_counts()})
+    ->ArgNames({"cells", "threads"})
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);
 

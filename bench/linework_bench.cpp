@@ -1,7 +1,8 @@
-// Cleaning of raw line work on one thread and on two, beside GEOS's SnapRoundingNoder on as many raw
-// segments. Prints a table; for docs/results-cleaning.md.
+// Cleaning of raw line work on one thread and on two, or on those of bench/thread_counts.hpp, beside GEOS's
+// SnapRoundingNoder on as many raw segments. Prints a table; for docs/results-cleaning.md, and the seconds by
+// threads for docs/results-kernels.md.
 //
-//   linework_bench [REPEATS]
+//   linework_bench [REPEATS [LARGEST]]      LARGEST: the most raw segments, by default a million
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -14,6 +15,7 @@
 
 #include "bench/geos_noder.hpp"
 #include "bench/synthetic_network.hpp"
+#include "bench/thread_counts.hpp"
 #include "engine/base/heap.hpp"
 #include "engine/base/stopwatch.hpp"
 #include "engine/parallel/parallel.hpp"
@@ -24,7 +26,6 @@ namespace {
 constexpr std::uint32_t kSizes[] = {10'000, 100'000, 1'000'000};
 // The most that GEOS is given: it takes minutes for more.
 constexpr std::uint32_t kMostForPeer = 100'000;
-constexpr std::size_t kThreadCounts = 2;  // 1 and 2
 
 // A network and what it is cleaned with: lengths that follow the shortest fracture, as they follow the wanted
 // edge of a mesh that is to show it.
@@ -42,7 +43,7 @@ struct Network {
 // Seconds by the wall, one a repeat.
 struct Times {
   std::vector<double> peer;
-  std::vector<double> own[kThreadCounts];
+  std::vector<std::vector<double>> own;  // by number of threads, in the order of thread_counts()
   std::size_t peer_pieces = 0;
   CleanCounts counts;
   std::size_t pieces = 0;
@@ -59,11 +60,11 @@ void time_peer([[maybe_unused]] const Network& network, [[maybe_unused]] Times& 
 #endif
 }
 
-void time_own(const Network& network, std::size_t threads, Times& times) {
+void time_own(const Network& network, std::int64_t threads, std::vector<double>& seconds, Times& times) {
   parallel::with_threads(static_cast<int>(threads), [&] {
     const Stopwatch watch;
     const CleanedLines cleaned = clean_lines(network.lines, network.outline, network.options);
-    times.own[threads - 1].push_back(watch.seconds());
+    seconds.push_back(watch.seconds());
     times.counts = cleaned.counts;
     times.pieces = cleaned.lines.pieces.size();
   });
@@ -88,31 +89,37 @@ std::string text_of(double value, int digits) {
 void print_row(const Network& network, const Times& times, const Times* smaller) {
   std::string row = fmt::format("| {} | {} | {} | {} |", network.lines.lines.size(), times.counts.crossings,
                                 times.pieces, text_of(median(times.peer), 2));
-  for (const std::vector<double>& own : times.own)
-    row +=
-        fmt::format(" {:.2f} | {} | {} |", median(own), text_of(median_ratio(times.peer, own), 1),
-                    smaller == nullptr ? "" : text_of(median_ratio(own, smaller->own[&own - times.own]), 1));
+  for (std::size_t i = 0; i < times.own.size(); ++i)
+    row += fmt::format(" {:.3f} | {} | {} |", median(times.own[i]),
+                       text_of(median_ratio(times.peer, times.own[i]), 1),
+                       smaller == nullptr ? "" : text_of(median_ratio(times.own[i], smaller->own[i]), 1));
   std::printf("%s\n", row.c_str());
   std::fflush(stdout);
 }
 
-void run(int repeats) {
+void run(int repeats, double largest) {
+  const std::vector<std::int64_t> threads = thread_counts();
   std::vector<Network> networks;
-  for (const std::uint32_t size : kSizes) networks.emplace_back(size);
+  for (const std::uint32_t size : kSizes)
+    if (size <= largest) networks.emplace_back(size);
   std::vector<Times> times(networks.size());
+  for (Times& each : times) each.own.resize(threads.size());
   // In turn, so that other work on the machine meets all alike.
   for (int repeat = 0; repeat < repeats; ++repeat) {
     for (std::size_t i = 0; i < networks.size(); ++i) {
       time_peer(networks[i], times[i]);
-      for (std::size_t threads = 1; threads <= kThreadCounts; ++threads)
-        time_own(networks[i], threads, times[i]);
+      for (std::size_t k = 0; k < threads.size(); ++k)
+        time_own(networks[i], threads[k], times[i].own[k], times[i]);
     }
   }
-  std::printf(
-      "| raw segments | crossings | pieces | GEOS, s | 1 thread, s | times as fast as GEOS | times the row "
-      "above "
-      "| 2 threads, s | times as fast as GEOS | times the row above |\n"
-      "|---|---|---|---|---|---|---|---|---|---|\n");
+  std::string head = "| raw segments | crossings | pieces | GEOS, s |";
+  std::string rule = "|---|---|---|---|";
+  for (const std::int64_t count : threads) {
+    head += fmt::format(" {} thread{}, s | times as fast as GEOS | times the row above |", count,
+                        count == 1 ? "" : "s");
+    rule += "---|---|---|";
+  }
+  std::printf("%s\n%s\n", head.c_str(), rule.c_str());
   for (std::size_t i = 0; i < networks.size(); ++i)
     print_row(networks[i], times[i], i == 0 ? nullptr : &times[i - 1]);
 }
@@ -122,5 +129,5 @@ void run(int repeats) {
 
 int main(int count, char** values) {
   quarry::keep_freed_memory();
-  quarry::bench::run(count > 1 ? std::atoi(values[1]) : 3);
+  quarry::bench::run(count > 1 ? std::atoi(values[1]) : 3, count > 2 ? std::atof(values[2]) : 1e6);
 }

@@ -3,6 +3,7 @@
 #include <benchmark/benchmark.h>
 
 #include "bench/surface_files.hpp"
+#include "bench/thread_counts.hpp"
 #include "engine/parallel/parallel.hpp"
 #include "io/mesh/mesh_format.hpp"
 #ifdef QUARRY_ASSIMP
@@ -32,8 +33,12 @@ void quarry_reads(benchmark::State& state, const char* name) {
                          [&] { time_reading(state, [&] { return read_cells(path).faces.size(); }); });
 }
 
-#define QUARRY_READS(tag, file) \
-  BENCHMARK_CAPTURE(quarry_reads, tag, file)->Arg(1)->Arg(2)->UseRealTime()->Unit(benchmark::kMillisecond)
+#define QUARRY_READS(tag, file)               \
+  BENCHMARK_CAPTURE(quarry_reads, tag, file)  \
+      ->ArgsProduct({bench::thread_counts()}) \
+      ->ArgNames({"threads"})                 \
+      ->UseRealTime()                         \
+      ->Unit(benchmark::kMillisecond)
 
 QUARRY_READS(binary_ply, "binary.ply");
 QUARRY_READS(text_ply, "text.ply");

@@ -2,6 +2,7 @@
 """netgen on the lines that `quarry clean` wrote: one job of its own, file to file. Debian's python3-netgen.
 
   netgen_peer.py CLEAN.geojson OUT.vol --size H [--quads]
+  netgen_peer.py OUT.vol OUT.msh                            its file as a .msh 2.2
 
 All within the outline is one domain, and every other line a part of its geometry, dead ends too. --quads: dominated by
 quadrilaterals, which is as near as it comes to quads alone. Prints how many quadrilaterals and triangles there are.
@@ -34,13 +35,30 @@ def geometry(path):
     return lines
 
 
+def export(source, target):
+    from netgen.meshing import Mesh
+    mesh = Mesh()
+    mesh.Load(source)
+    mesh.Export(target, "Gmsh2 Format")
+    with open(target) as file:
+        text = file.read()
+    # What it writes differs from 2.2 in the number alone.
+    with open(target, "w") as file:
+        file.write(text.replace("2.000000 0 8", "2.2 0 8", 1))
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("source")
     parser.add_argument("target")
-    parser.add_argument("--size", type=float, required=True)
+    parser.add_argument("--size", type=float)
     parser.add_argument("--quads", action="store_true")
     arguments = parser.parse_args()
+    if arguments.source.endswith(".vol"):
+        export(arguments.source, arguments.target)
+        return
+    if arguments.size is None:
+        parser.error("--size: how long edges are to be")
     mesh = geometry(arguments.source).GenerateMesh(maxh=arguments.size, quad_dominated=arguments.quads)
     mesh.Save(arguments.target)
     corners = [len(element.vertices) for element in mesh.Elements2D()]

@@ -5,6 +5,7 @@
 #include <benchmark/benchmark.h>
 
 #include "bench/synthetic_network.hpp"
+#include "bench/thread_counts.hpp"
 #include "engine/base/random.hpp"
 #include "engine/mesh/build.hpp"
 #include "engine/parallel/parallel.hpp"
@@ -47,23 +48,23 @@ void shape(Mesh& mesh, const NodedLines& lines) {
 void optimiser(Mesh& mesh, const NodedLines& lines) { optimise_corners(mesh, lines, {}, {}); }
 
 BENCHMARK_CAPTURE(smooth_quads, laplacian, laplacian)
-    ->Arg(1)
-    ->Arg(2)
+    ->ArgsProduct({bench::thread_counts()})
+    ->ArgNames({"threads"})
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(smooth_quads, square_corners, squaring)
-    ->Arg(1)
-    ->Arg(2)
+    ->ArgsProduct({bench::thread_counts()})
+    ->ArgNames({"threads"})
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(smooth_quads, optimise_shape, shape)
-    ->Arg(1)
-    ->Arg(2)
+    ->ArgsProduct({bench::thread_counts()})
+    ->ArgNames({"threads"})
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(smooth_quads, optimiser, optimiser)
-    ->Arg(1)
-    ->Arg(2)
+    ->ArgsProduct({bench::thread_counts()})
+    ->ArgNames({"threads"})
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);
 
@@ -105,7 +106,10 @@ void smooth_region(benchmark::State& state) {
                           static_cast<std::int64_t>(inner.size()));
 }
 
-BENCHMARK(smooth_region)->ArgsProduct({{3, 11, 39}, {3, 10}})->Unit(benchmark::kMicrosecond);
+BENCHMARK(smooth_region)
+    ->ArgsProduct({{3, 11, 39}, {3, 10}})
+    ->ArgNames({"side", "shake"})
+    ->Unit(benchmark::kMicrosecond);
 
 }  // namespace
 }  // namespace quarry

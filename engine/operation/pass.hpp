@@ -54,6 +54,14 @@ struct PassReport {
   std::uint64_t proposed = 0;  // calls of propose
   std::uint64_t live = 0;      // of them with something to do
   std::uint64_t won = 0;       // operations applied
+
+  // Adds the counts of another pass of the same operation; the name stays.
+  void add(const PassReport& other) {
+    rounds += other.rounds;
+    proposed += other.proposed;
+    live += other.live;
+    won += other.won;
+  }
 };
 
 template <class Item>

@@ -117,11 +117,9 @@ class LocalCleanup {
     pass.reverse = options_.reverse;
     const PassReport done = run_pass(mesh_, operation, std::move(work), pass, progress_);
 
-    if (reports_->size() == at_) reports_->emplace_back().name = Operator::kName;
+    if (reports_->size() == at_) reports_->emplace_back().pass.name = Operator::kName;
     LocalOperatorReport& report = (*reports_)[at_++];
-    report.looked_at += done.proposed;
-    report.no_gain += done.proposed - done.live;
-    report.tried += done.won;
+    report.pass.add(done);
     report.won += operation.count(Verdict::kWon);
     report.invalid += operation.count(Verdict::kInvalid);
     report.poor += operation.count(Verdict::kPoor);

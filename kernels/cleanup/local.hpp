@@ -4,12 +4,12 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "engine/base/progress.hpp"
 #include "engine/geometry/model.hpp"
 #include "engine/mesh/mesh.hpp"
+#include "engine/operation/pass.hpp"
 #include "kernels/cleanup/irregular_price.hpp"
 
 namespace quarry {
@@ -28,10 +28,9 @@ struct LocalCleanupOptions {
 
 // What one operator did, all sweeps together.
 struct LocalOperatorReport {
-  std::string name;
-  std::uint64_t looked_at = 0;  // proposals, those for another time because of a conflict included
-  std::uint64_t no_gain = 0;    // of them found no way that lowers the energy
-  std::uint64_t tried = 0;
+  // With the name of the operator. What is proposed and not live found no way that lowers the energy; what
+  // the pass won was tried, and is one of the next three.
+  PassReport pass;
   std::uint64_t won = 0;
   std::uint64_t invalid = 0;  // rejected: a face would not be valid, after smoothing
   std::uint64_t poor = 0;     // rejected: valid, but too bad

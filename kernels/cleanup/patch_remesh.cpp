@@ -231,8 +231,7 @@ void PatchRemesher<Model>::commit(const Progress& progress, std::vector<std::uin
   pass.cutoff = 1;
   pass.chunk = kCommitChunk;
   pass.reverse = options_.reverse;
-  const PassReport passed = run_pass(mesh_, operation, std::move(work), pass, progress);
-  report_.rounds += passed.rounds;
+  report_.commits.add(run_pass(mesh_, operation, std::move(work), pass, progress));
   count_outcomes(operation);
   for (std::uint32_t i = 0; i < proposals_.size(); ++i)
     if (operation.outcome(i) == PatchOutcome::kWon) queue(proposals_[i], again);

@@ -11,7 +11,7 @@ void PatchReport::add(const PatchReport& other) {
   proposals += other.proposals;
   duplicates += other.duplicates;
   waves += other.waves;
-  rounds += other.rounds;
+  commits.add(other.commits);
   for (std::size_t i = 0; i < kFillKinds; ++i) {
     proposed[i] += other.proposed[i];
     won[i] += other.won[i];

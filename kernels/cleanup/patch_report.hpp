@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 
+#include "engine/operation/pass.hpp"
 #include "kernels/cleanup/patch_fill.hpp"
 
 namespace quarry {
@@ -34,7 +35,7 @@ struct PatchReport {
   std::uint64_t duplicates = 0;                      // of them another search had found as well
   std::uint64_t proposals = 0;                       // of the rest those that overlap no better one
   std::uint64_t waves = 0;                           // of searches
-  std::uint64_t rounds = 0;                          // of commits
+  PassReport commits;                                // without a name
   std::array<std::uint64_t, kFillKinds> proposed{};  // by kind of fill
   std::array<std::uint64_t, kFillKinds> won{};
   std::array<std::uint64_t, kPatchRejects> rejected{};

@@ -98,12 +98,12 @@ class Fronts {
       if (step == options_.steps) std::erase_if(front, [](EdgeName edge) { return !goes_further(edge); });
       ++report.steps;
       label(front);
-      report.splits += run_pass(mesh_, HalveOperation(tags_, lines_), front, {}, progress).won;
+      report.splits.add(run_pass(mesh_, HalveOperation(tags_, lines_), front, {}, progress));
       // Midpoints bear no label: next to them lie the triangles just halved.
       labelled_.resize(mesh_.vertex_slots(), 0);
       const std::vector<EdgeName> swapped = edges_to_swap();
       front = edges_opposite_labels();
-      report.swaps += swap(swapped, front, progress);
+      report.swaps.add(swap(swapped, front, progress));
     }
   }
 
@@ -164,20 +164,19 @@ class Fronts {
   }
 
   // Appends the edges that come out of it to the front.
-  std::uint64_t swap(const std::vector<EdgeName>& edges, std::vector<EdgeName>& front,
-                     const Progress& progress) {
+  PassReport swap(const std::vector<EdgeName>& edges, std::vector<EdgeName>& front,
+                  const Progress& progress) {
     std::vector<EdgeName> after;
     for (const EdgeName edge : edges) {
       const EdgeDiamond diamond = diamond_of(mesh_, mesh_.find_side(edge.a, edge.b));
       after.push_back({diamond.c, diamond.d});
     }
-    const std::uint64_t won = run_pass(mesh_, SwapOperation(tags_, options_.min_quality), edges,
-                                       {.window = 16384, .cutoff = 1, .reverse = false}, progress)
-                                  .won;
+    PassReport report = run_pass(mesh_, SwapOperation(tags_, options_.min_quality), edges,
+                                 {.window = 16384, .cutoff = 1, .reverse = false}, progress);
     for (const EdgeName edge : after)
       if (mesh_.find_side(edge.a, edge.b).valid() || mesh_.find_side(edge.b, edge.a).valid())
         front.push_back(edge);
-    return won;
+    return report;
   }
 
   Mesh& mesh_;

@@ -23,8 +23,8 @@ struct FrontOptions {
 
 struct FrontReport {
   std::uint64_t steps = 0;
-  std::uint64_t splits = 0;
-  std::uint64_t swaps = 0;
+  PassReport splits{.name = "edges of fronts halved"};
+  PassReport swaps{.name = "edges of fronts swapped"};
 };
 
 // In each step the edges of the front are halved and their ends labelled; the next front is

@@ -98,7 +98,8 @@ class HalveTriangles {
 }  // namespace
 
 Mesh make_adaptive_crisscross(const Box2& box, const SizeField& field,
-                              const AdaptiveCrisscrossOptions& options, const Progress& progress) {
+                              const AdaptiveCrisscrossOptions& options, const Progress& progress,
+                              PassReport* report) {
   Mesh mesh = make_crisscross(box, {.cell = options.coarsest, .angle_degrees = options.angle_degrees});
   compact(mesh, EntityOrder::kHilbert);
   const HalveTriangles operation(ConstraintTags::add_to(mesh), box, field, options.finest);
@@ -106,7 +107,9 @@ Mesh make_adaptive_crisscross(const Box2& box, const SizeField& field,
   for (const FaceId f : mesh.faces())
     if (const SideId base = base_of(mesh, f); operation.too_large(mesh, base))
       work.push_back({mesh.origin(base), mesh.target(base)});
-  run_pass(mesh, operation, std::move(work), PassOptions(), progress);
+  PassReport halvings = run_pass(mesh, operation, std::move(work), PassOptions(), progress);
+  halvings.name = "halvings of the start mesh";
+  if (report != nullptr) *report = std::move(halvings);
   mesh.remove_tag<VertexId>("support");
   mesh.remove_tag<FaceId>("constrained_sides");
   compact(mesh, EntityOrder::kHilbert);

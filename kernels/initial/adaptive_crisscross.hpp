@@ -9,6 +9,7 @@
 #include "engine/base/progress.hpp"
 #include "engine/geometry/box.hpp"
 #include "engine/mesh/mesh.hpp"
+#include "engine/operation/pass.hpp"
 #include "kernels/field/size_field.hpp"
 
 namespace quarry {
@@ -22,9 +23,10 @@ struct AdaptiveCrisscrossOptions {
 // Covers the box and a margin, as make_crisscross with cells of the coarsest size does. The legs of a
 // triangle that comes near the box are at most 1.19 of the size wanted at its longest edge (or as coarse as
 // the start), and shorter than 0.84 of it only as far as neighbours ask for. In Hilbert order; no tags.
-// Throws Error(kInput) with the place if the field is not positive somewhere.
+// Throws Error(kInput) with the place if the field is not positive somewhere. report: if given, what the pass
+// of halvings did.
 [[nodiscard]] Mesh make_adaptive_crisscross(const Box2& box, const SizeField& field,
                                             const AdaptiveCrisscrossOptions& options,
-                                            const Progress& progress);
+                                            const Progress& progress, PassReport* report = nullptr);
 
 }  // namespace quarry

@@ -76,7 +76,8 @@ void tell_quality(const QualitySummary& quality, const char* when) {
 void tell_times(const std::vector<StageTime>& times, int threads) {
   double total = 0;
   for (const StageTime& stage : times) {
-    log::detail("{:12} {:10.1f} ms", stage.name, 1e3 * stage.seconds);
+    log::detail("{:12} {:10.1f} ms, threads busy for {:3.0f} % of it", stage.name, 1e3 * stage.seconds,
+                100 * stage.busy_share(threads));
     total += stage.seconds;
   }
   log::info("{:.2f} s on {} thread{}, peak memory {:.0f} MB", total, threads, threads == 1 ? "" : "s",

@@ -16,7 +16,7 @@
 #include "kernels/cluster/low_quads.hpp"
 #include "kernels/quality/summary.hpp"
 #include "kernels/smooth/sweep.hpp"
-#include "pipeline/section/stages.hpp"
+#include "pipeline/report/stages.hpp"
 
 namespace quarry {
 

@@ -54,7 +54,7 @@ JobReport report_improvement(const ImproveOptions& options, const ImproveResult&
   report.quality_before = result.before;
   if (options.cleanup != CleanUpLevel::kNone) report.clean_up = result.clean_up;
   report.notes = result.notes;
-  for (const StageTime& stage : result.times) report.times.emplace_back(stage.name, stage.seconds);
+  report.times = result.times;
   return report;
 }
 

@@ -25,11 +25,13 @@ Json named(const std::array<const char*, kSize>& names, const std::array<std::ui
 }
 
 Json operator_json(const LocalOperatorReport& report) {
-  return {{"name", report.name},
-          {"looked_at", report.looked_at},
-          {"tried", report.tried},
+  const PassReport& pass = report.pass;
+  return {{"name", pass.name},
+          {"looked_at", pass.proposed},
+          {"tried", pass.won},
           {"won", report.won},
-          {"rejected", {{"no_gain", report.no_gain}, {"invalid", report.invalid}, {"quality", report.poor}}}};
+          {"rejected",
+           {{"no_gain", pass.proposed - pass.live}, {"invalid", report.invalid}, {"quality", report.poor}}}};
 }
 
 Json patches_json(const PatchReport& report) {
@@ -37,14 +39,29 @@ Json patches_json(const PatchReport& report) {
           {"seeds", report.seeds},
           {"searches", report.searches},
           {"convex_stages", report.stages},
+          {"found", report.found},
+          {"duplicates", report.duplicates},
           {"proposals", report.proposals},
-          {"rounds", report.rounds},
+          {"waves", report.waves},
+          {"rounds", report.commits.rounds},
           {"tried", named(kFillNames, report.proposed)},
           {"won", named(kFillNames, report.won)},
           {"rejected", named(kRejectNames, report.rejected)}};
 }
 
+std::string class_name(const PatchReport& report) { return "patches of " + std::to_string(report.largest); }
+
 }  // namespace
+
+std::vector<PassReport> passes_of(const CleanUpReport& report) {
+  std::vector<PassReport> passes;
+  for (const LocalOperatorReport& each : report.local.operators) passes.push_back(each.pass);
+  for (const PatchReport& each : report.patches) {
+    passes.push_back(each.commits);
+    passes.back().name = class_name(each);
+  }
+  return passes;
+}
 
 Json clean_up_json(const CleanUpReport& report) {
   Json operators = Json::array();
@@ -61,10 +78,9 @@ Json clean_up_times_json(const CleanUpReport& report) {
   Json object = {{"operators", report.local_seconds},
                  {"patches", report.patch_seconds},
                  {"smoothing", report.smoothing_seconds}};
-  for (const LocalOperatorReport& each : report.local.operators) object[each.name] = each.seconds;
+  for (const LocalOperatorReport& each : report.local.operators) object[each.pass.name] = each.seconds;
   for (const PatchReport& each : report.patches) {
-    const std::string name = "patches of " + std::to_string(each.largest);
-    object[name] = {{"search", each.search_seconds}, {"commit", each.commit_seconds}};
+    object[class_name(each)] = {{"search", each.search_seconds}, {"commit", each.commit_seconds}};
   }
   return object;
 }

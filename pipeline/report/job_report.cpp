@@ -139,22 +139,45 @@ Json regions_json(const JobReport& report) {
 
 Json passes_json(const JobReport& report) {
   Json passes = Json::array();
-  for (const PassReport& pass : report.passes)
-    passes.push_back(
-        {{"name", pass.name}, {"rounds", pass.rounds}, {"proposed", pass.proposed}, {"won", pass.won}});
+  const auto append = [&](const std::vector<PassReport>& all) {
+    for (const PassReport& pass : all)
+      passes.push_back({{"name", pass.name},
+                        {"rounds", pass.rounds},
+                        {"proposed", pass.proposed},
+                        {"live", pass.live},
+                        {"won", pass.won}});
+  };
+  append(report.passes);
+  if (report.clean_up) append(passes_of(*report.clean_up));
   return passes;
+}
+
+StageTime total_of(const std::vector<StageTime>& stages) {
+  StageTime total{.name = "total"};
+  for (const StageTime& stage : stages) {
+    total.seconds += stage.seconds;
+    total.processor_seconds += stage.processor_seconds;
+  }
+  return total;
 }
 
 Json times_json(const JobReport& report) {
   Json times = Json::object();
-  double total = 0;
-  for (const auto& [stage, seconds] : report.times) {
-    times[stage] = seconds;
-    total += seconds;
-  }
-  times["total"] = total;
+  for (const StageTime& stage : report.times) times[stage.name] = stage.seconds;
+  times["total"] = total_of(report.times).seconds;
   if (report.clean_up) times["of_cleanup"] = clean_up_times_json(*report.clean_up);
   return times;
+}
+
+Json processor_json(const JobReport& report) {
+  Json stages = Json::object();
+  const auto add = [&](const StageTime& stage) {
+    const double busy = stage.busy_share(report.threads);
+    stages[stage.name] = {{"seconds", stage.processor_seconds}, {"busy", busy}, {"idle", 1 - busy}};
+  };
+  for (const StageTime& stage : report.times) add(stage);
+  add(total_of(report.times));
+  return stages;
 }
 
 // Names of files may hold bytes that are no UTF-8: they are replaced, not refused.
@@ -182,6 +205,7 @@ std::string report_text(const JobReport& report) {
   if (report.clean_up) json["cleanup"] = clean_up_json(*report.clean_up);
   json["notes"] = report.notes;
   json["times"] = times_json(report);
+  json["processor"] = processor_json(report);
   json["peak_memory_bytes"] = peak_memory_bytes();
   json["threads"] = report.threads;
   return dump(json);

@@ -14,6 +14,7 @@
 #include "kernels/linework/clean_lines.hpp"
 #include "kernels/quality/summary.hpp"
 #include "pipeline/report/region_summary.hpp"
+#include "pipeline/report/stages.hpp"
 
 namespace quarry {
 
@@ -52,10 +53,10 @@ struct JobReport {
   std::vector<RegionSummary> regions;
   QualitySummary quality;
   std::optional<QualitySummary> quality_before;  // of the input, where that is a mesh
-  std::vector<PassReport> passes;
-  std::optional<CleanUpReport> clean_up;              // of jobs that clean up
-  std::vector<std::pair<std::string, double>> times;  // stage, seconds
-  std::vector<std::string> notes;                     // one line each: what the user should know
+  std::vector<PassReport> passes;                // beside those of the clean-up
+  std::optional<CleanUpReport> clean_up;         // of jobs that clean up
+  std::vector<StageTime> times;                  // of the stages, in order
+  std::vector<std::string> notes;                // one line each: what the user should know
 };
 
 // The whole report as JSON text. Reads the peak memory of the process.

@@ -72,13 +72,13 @@ ConstraintTags prepare_start(Mesh& mesh) {
   return tags;
 }
 
-Mesh start_mesh(const SectionOptions& options, const SectionResult& result, const Progress& progress) {
+Mesh start_mesh(const SectionOptions& options, SectionResult& result, const Progress& progress) {
   const double spacing = spacing_of(options, result.lengths.size);
   const NodedLines& lines = result.cleaned.lines;
   if (!result.sizes) return make_start_mesh(options, lines, spacing, result.orient_degrees);
   // Triangles are in proportion to the elements that they become.
   const ScaledSize sizes(result.sizes->field(), spacing / result.lengths.size);
-  return make_graded_start(lines, sizes, spacing, result.orient_degrees, progress);
+  return make_graded_start(lines, sizes, spacing, result.orient_degrees, result.start, progress);
 }
 
 void insert(const SectionOptions& options, SectionResult& result, const Progress& progress) {
@@ -103,7 +103,8 @@ void make_triangles(const SectionOptions& options, SectionResult& result, StageC
   insert(options, result, progress);
   remove_outside(result.mesh, tags, result.cleaned.lines);
   split_pinches(result.mesh, tags);
-  if (options.keep_boundary) make_outline_whole(result.mesh, result.cleaned.lines, progress);
+  if (options.keep_boundary)
+    result.whole_outline = make_outline_whole(result.mesh, result.cleaned.lines, progress);
   compact(result.mesh, EntityOrder::kHilbert);
 }
 
@@ -121,6 +122,7 @@ void match_to_quads(const SectionOptions& options, SectionResult& result, const 
 
 void convert_to_quads(const SectionOptions& options, SectionResult& result, const Progress& progress) {
   if (by_matching(options)) {
+    result.matching = {};
     match_to_quads(options, result, progress);
     return;
   }
@@ -128,6 +130,7 @@ void convert_to_quads(const SectionOptions& options, SectionResult& result, cons
   quads.mixed.fronts.steps = front_steps(options);
   // Clean-up ends with the same sweeps.
   if (clean_up_level(options) != CleanUpLevel::kNone) quads.square_corners.sweeps = quads.optimise.sweeps = 0;
+  result.quads = {};
   result.mesh = make_quads(std::move(result.mesh), result.cleaned.lines, quads, result.quads, progress);
 }
 
@@ -284,7 +287,7 @@ SectionResult mesh_section(const SectionOptions& options, const Progress& progre
     if (by_matching(options)) require_convex_quads(result.mesh);
   } else {
     clock.start("smoothing");
-    flip_to_better(result.mesh, progress);
+    result.flips = flip_to_better(result.mesh, progress);
     result.smoothing = smooth_laplacian(result.mesh, result.cleaned.lines, LaplacianOptions(), progress);
   }
   clock.start("finishing");

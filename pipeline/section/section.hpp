@@ -10,6 +10,7 @@
 #include "engine/base/progress.hpp"
 #include "engine/geometry/line_set.hpp"
 #include "engine/mesh/mesh.hpp"
+#include "engine/operation/pass.hpp"
 #include "io/mesh/mesh_file.hpp"
 #include "kernels/cleanup/clean_up.hpp"
 #include "kernels/cluster/low_quads.hpp"
@@ -18,8 +19,8 @@
 #include "kernels/linework/clean_lines.hpp"
 #include "kernels/matching/matching.hpp"
 #include "kernels/smooth/sweep.hpp"
+#include "pipeline/report/stages.hpp"
 #include "pipeline/section/options.hpp"
-#include "pipeline/section/stages.hpp"
 #include "pipeline/section/wanted_sizes.hpp"
 
 namespace quarry {
@@ -42,12 +43,15 @@ struct SectionResult {
   double elements = 0;                 // expected in the box of the outline
   double orient_degrees = 0;
   std::int32_t regions = 0;
+  PassReport start;  // where sizes differ by place
   DeferredReport deferred;
-  QuadReport quads;         // of quad meshes by clusters
-  MatchingReport matching;  // of quad meshes by matching
+  PassReport whole_outline;  // with keep_boundary
+  QuadReport quads;          // of quad meshes by clusters
+  MatchingReport matching;   // of quad meshes by matching
   CleanUpReport clean_up;
   LowQuadReport low_quads;  // of mixed meshes
-  SweepReport smoothing;    // of triangle meshes
+  PassReport flips;         // of triangle meshes, as is smoothing
+  SweepReport smoothing;
   std::vector<StageTime> times;
 };
 

@@ -181,6 +181,30 @@ void describe_lines(const LineSet& lines, JobReport& report) {
   for (const CoordinateSystem& system : lines.systems) report.coordinate_systems.push_back(system.definition);
 }
 
+// Those of the last mesh that --count asked for, in the order in which they ran; none of a job that only
+// cleans.
+std::vector<PassReport> passes_of(const SectionOptions& options, const SectionResult& result) {
+  if (result.mesh.face_slots() == 0) return {};
+  std::vector<PassReport> passes;
+  if (result.sizes) passes.push_back(result.start);
+  passes.insert(passes.end(), {result.deferred.nodes, result.deferred.pieces});
+  const auto append = [&](const std::vector<PassReport>& more) {
+    passes.insert(passes.end(), more.begin(), more.end());
+  };
+  if (options.keep_boundary) passes.push_back(result.whole_outline);
+  if (!makes_quads(options)) {
+    passes.push_back(result.flips);
+  } else if (options.quads == QuadMethod::kMatching) {
+    passes.push_back(result.matching.flips);
+    append(result.matching.openings);
+    append(result.matching.rings);
+  } else {
+    if (front_steps(options) > 0) append({result.quads.mixed.fronts.splits, result.quads.mixed.fronts.swaps});
+    append(result.quads.mixed.rearrange);
+  }
+  return passes;
+}
+
 }  // namespace
 
 JobReport report_section(const SectionOptions& options, const SectionResult& result, QualitySummary quality) {
@@ -197,11 +221,9 @@ JobReport report_section(const SectionOptions& options, const SectionResult& res
   }
   report.counts = counts_of(options, result, quality);
   report.quality = std::move(quality);
-  report.passes = {result.deferred.nodes, result.deferred.pieces};
-  for (const auto& passes : {result.matching.openings, result.matching.rings})
-    report.passes.insert(report.passes.end(), passes.begin(), passes.end());
+  report.passes = passes_of(options, result);
   if (clean_up_level(options) != CleanUpLevel::kNone) report.clean_up = result.clean_up;
-  for (const StageTime& stage : result.times) report.times.emplace_back(stage.name, stage.seconds);
+  report.times = result.times;
   report.notes = result.cleaned.notes;
   return report;
 }

@@ -53,9 +53,10 @@ Mesh make_start_mesh(const SectionOptions& options, const NodedLines& lines, dou
 }
 
 Mesh make_graded_start(const NodedLines& lines, const SizeField& sizes, double coarsest,
-                       double orient_degrees, const Progress& progress) {
-  return make_adaptive_crisscross(
-      box_of(lines), sizes, {.coarsest = coarsest, .finest = 0, .angle_degrees = orient_degrees}, progress);
+                       double orient_degrees, PassReport& report, const Progress& progress) {
+  return make_adaptive_crisscross(box_of(lines), sizes,
+                                  {.coarsest = coarsest, .finest = 0, .angle_degrees = orient_degrees},
+                                  progress, &report);
 }
 
 }  // namespace quarry

@@ -4,6 +4,7 @@
 #include "engine/base/progress.hpp"
 #include "engine/geometry/line_set.hpp"
 #include "engine/mesh/mesh.hpp"
+#include "engine/operation/pass.hpp"
 #include "kernels/field/size_field.hpp"
 #include "kernels/linework/outline.hpp"
 #include "pipeline/section/options.hpp"
@@ -21,7 +22,8 @@ namespace quarry {
                                    double orient_degrees);
 
 // The 4-8 lattice refined by a field of the wanted edges of triangles, of which `coarsest` is the largest.
+// report: what its halvings did.
 [[nodiscard]] Mesh make_graded_start(const NodedLines& lines, const SizeField& sizes, double coarsest,
-                                     double orient_degrees, const Progress& progress);
+                                     double orient_degrees, PassReport& report, const Progress& progress);
 
 }  // namespace quarry

@@ -70,10 +70,14 @@ JobReport report_surface(const SurfaceOptions& options, const SurfaceResult& res
                    {"feature_nodes", whole(f.nodes)},           {"feature_curves", whole(f.curves)},
                    {"sharp_input_edges", whole(f.sharp_edges)}, {"border_input_edges", whole(f.border_edges)},
                    {"rim_input_edges", whole(f.rim_edges)},     {"join_input_edges", whole(f.join_edges)},
-                   {"holes", whole(result.repair.holes)},       {"splits", whole(r.splits)},
-                   {"collapses", whole(r.collapses)},           {"flips", whole(r.flips)}};
+                   {"holes", whole(result.repair.holes)},       {"splits", whole(r.splits.won)},
+                   {"collapses", whole(r.collapses.won)},       {"flips", whole(r.flips.won)}};
   if (options.elements != Elements::kTriangle && result.method == SurfaceQuads::kField)
     report.counts.push_back({"singularities", whole(result.lattice.singularities)});
+  report.passes = {r.splits, r.collapses, r.flips};
+  if (result.method == SurfaceQuads::kField)
+    report.passes.insert(report.passes.end(),
+                         {result.lattice.joins, result.lattice.collapses, result.lattice.flips});
   report.notes = result.notes;
   if (!options.lines.empty()) {
     report.input_files.insert(report.input_files.end(), options.lines.begin(), options.lines.end());
@@ -100,7 +104,7 @@ JobReport report_surface(const SurfaceOptions& options, const SurfaceResult& res
   report.quality = std::move(quality);
   if (options.elements != Elements::kTriangle && options.cleanup != CleanUpLevel::kNone)
     report.clean_up = result.quads.clean_up;
-  for (const StageTime& stage : result.times) report.times.emplace_back(stage.name, stage.seconds);
+  report.times = result.times;
   return report;
 }
 

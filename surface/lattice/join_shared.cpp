@@ -49,12 +49,11 @@ class JoinShared {
 
 }  // namespace
 
-std::uint64_t join_shared_points(LatticeState& state, double lowest, const Progress& progress) {
+PassReport join_shared_points(LatticeState& state, double lowest, const Progress& progress) {
   const JoinShared operation(state, lowest);
   return run_pass(state.base.mesh, operation,
                   edges_where(state.base.mesh, [&](SideId s) { return operation.wanted(s); }), PassOptions(),
-                  progress)
-      .won;
+                  progress);
 }
 
 std::size_t count_after_joins(const LatticeState& state) {

@@ -7,9 +7,9 @@
 namespace quarry {
 
 // Collapses the edges between vertices that share a lattice point, as the guard of remeshing allows with the
-// options of the state's mesh; `lowest`: the measure that triangles may sink to. Returns the number of
+// options of the state's mesh; `lowest`: the measure that triangles may sink to. What it won are
 // collapses.
-std::uint64_t join_shared_points(LatticeState& state, double lowest, const Progress& progress);
+PassReport join_shared_points(LatticeState& state, double lowest, const Progress& progress);
 
 // How many vertices would be left if every edge were collapsed that join_shared_points looks at.
 [[nodiscard]] std::size_t count_after_joins(const LatticeState& state);

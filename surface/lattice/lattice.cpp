@@ -50,19 +50,20 @@ LatticeReport make_lattice(Mesh& mesh, const SurfaceModel& model, const CurveNet
   progress.report("finding a lattice", 0);
   find_lattice_fields(state, options, report, progress);
   const Stopwatch watch;
-  report.joined = join_shared_points(state, options.lowest_joined, progress);
+  report.joins.add(join_shared_points(state, options.lowest_joined, progress));
   compact(mesh, EntityOrder::kHilbert);
   for (int round = 0; round < options.rounds; ++round) {
     report.moves += snap_to_lattice(state, options.sweeps, options.content, progress).moved;
-    report.flips += flip_edges(base, FlipAim::kMeasure, progress);
-    report.joined += join_shared_points(state, options.lowest_joined, progress);
+    report.flips.add(flip_edges(base, FlipAim::kMeasure, progress));
+    report.joins.add(join_shared_points(state, options.lowest_joined, progress));
   }
   for (int round = 0; round < options.repair_rounds; ++round) {
-    report.joined += collapse_short_edges(base, progress);
+    report.collapses.add(collapse_short_edges(base, progress));
     const std::uint64_t moved = relocate_below(base, options.content, options.sweeps, progress).moved;
-    const std::uint64_t flipped = flip_edges(base, FlipAim::kMeasure, progress);
-    report.repairs += moved + flipped;
-    if (moved + flipped == 0) break;
+    const PassReport flips = flip_edges(base, FlipAim::kMeasure, progress);
+    report.flips.add(flips);
+    report.repairs += moved + flips.won;
+    if (moved + flips.won == 0) break;
   }
   for (const char* name : {kPlaceTag, kAlongTag, kWantedTag}) mesh.remove_tag<VertexId>(name);
   compact(mesh, EntityOrder::kHilbert);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "engine/operation/pass.hpp"
 #include "kernels/crossfield/cross_field.hpp"
 #include "kernels/crossfield/position_field.hpp"
 #include "kernels/crossfield/spacing_field.hpp"
@@ -38,8 +39,11 @@ struct LatticeOptions {
 struct LatticeReport {
   std::uint64_t vertices = 0;       // that the fields were found at
   std::uint64_t singularities = 0;  // of the crosses
-  std::uint64_t joined = 0;         // vertices that went into another one with the same lattice point
-  std::uint64_t moves = 0, flips = 0, repairs = 0;
+  // Vertices that went into another one with the same lattice point; edges collapsed that were too short;
+  // flips, those of the repair among them.
+  PassReport joins{.name = "joins to lattice points"}, collapses{.name = "collapses to lattice points"};
+  PassReport flips{.name = "flips of the lattice"};
+  std::uint64_t moves = 0, repairs = 0;
   double scale = 1;  // of the spacing, as corrected
   double cross_seconds = 0, position_seconds = 0, change_seconds = 0;
 };

@@ -63,12 +63,11 @@ class CollapseShort {
 
 }  // namespace
 
-std::uint64_t collapse_short_edges(RemeshState& state, const Progress& progress) {
+PassReport collapse_short_edges(RemeshState& state, const Progress& progress) {
   const CollapseShort operation(state);
   return run_pass(state.mesh, operation,
                   edges_where(state.mesh, [&](SideId s) { return operation.wanted(s); }), PassOptions(),
-                  progress)
-      .won;
+                  progress);
 }
 
 }  // namespace quarry

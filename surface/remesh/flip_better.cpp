@@ -111,9 +111,9 @@ class FlipBetter {
 
 }  // namespace
 
-std::uint64_t flip_edges(RemeshState& state, FlipAim aim, const Progress& progress) {
+PassReport flip_edges(RemeshState& state, FlipAim aim, const Progress& progress) {
   const FlipBetter operation(state, aim);
-  return run_pass(state.mesh, operation, operation.all_wanted(), PassOptions(), progress).won;
+  return run_pass(state.mesh, operation, operation.all_wanted(), PassOptions(), progress);
 }
 
 }  // namespace quarry

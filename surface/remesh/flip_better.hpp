@@ -11,7 +11,7 @@ enum class FlipAim : std::uint8_t {
 };
 
 // Only where the two triangles lie nearly flat beside one another, and both new ones face as the surface
-// does. Constrained edges stay. Returns the number of flips.
-std::uint64_t flip_edges(RemeshState& state, FlipAim aim, const Progress& progress);
+// does. Constrained edges stay. What it won are flips.
+PassReport flip_edges(RemeshState& state, FlipAim aim, const Progress& progress);
 
 }  // namespace quarry

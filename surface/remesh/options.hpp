@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+#include "engine/operation/pass.hpp"
+
 namespace quarry {
 
 struct RemeshOptions {
@@ -24,7 +26,9 @@ struct RemeshOptions {
 };
 
 struct RemeshReport {
-  std::uint64_t splits = 0, collapses = 0, flips = 0, moves = 0;
+  // All rounds together.
+  PassReport splits{.name = "splits"}, collapses{.name = "collapses"}, flips{.name = "flips"};
+  std::uint64_t moves = 0;
   std::uint64_t rounds = 0;
 };
 

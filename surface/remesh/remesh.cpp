@@ -80,20 +80,21 @@ RemeshReport remesh_surface(Mesh& mesh, const SurfaceModel& model, const CurveNe
   for (int round = 0; round < options.rounds; ++round) {
     progress.report("remeshing", static_cast<double>(round) / options.rounds);
     std::uint64_t changes = 0;
-    for (int pass = 0; pass < kMostSplitPasses; ++pass) {
-      const std::uint64_t splits = split_long_edges(state, progress);
+    for (int i = 0; i < kMostSplitPasses; ++i) {
+      const PassReport pass = split_long_edges(state, progress);
+      const std::uint64_t splits = pass.won;
+      report.splits.add(pass);
       if (splits == 0) break;
-      report.splits += splits;
       changes += splits;
-      report.flips += flip_edges(state, FlipAim::kMeasure, progress);
+      report.flips.add(flip_edges(state, FlipAim::kMeasure, progress));
       if (static_cast<double>(splits) < kFewSplits * static_cast<double>(mesh.count_alive_faces())) break;
     }
-    const std::uint64_t collapses = collapse_short_edges(state, progress);
-    report.collapses += collapses;
-    changes += collapses;
+    const PassReport collapses = collapse_short_edges(state, progress);
+    report.collapses.add(collapses);
+    changes += collapses.won;
     compact(mesh, EntityOrder::kHilbert);
-    report.flips += flip_edges(state, FlipAim::kMeasure, progress);
-    report.flips += flip_edges(state, FlipAim::kValence, progress);
+    report.flips.add(flip_edges(state, FlipAim::kMeasure, progress));
+    report.flips.add(flip_edges(state, FlipAim::kValence, progress));
     report.moves += relocate_vertices(state, kMovesEachRound, progress).moved;
     ++report.rounds;
     const double faces = static_cast<double>(mesh.count_alive_faces());
@@ -102,7 +103,7 @@ RemeshReport remesh_surface(Mesh& mesh, const SurfaceModel& model, const CurveNe
     state.scale = corrected(state.scale, faces, wanted_faces);
   }
   report.moves += relocate_vertices(state, kMovesAtTheEnd, progress).moved;
-  report.flips += flip_edges(state, FlipAim::kMeasure, progress);
+  report.flips.add(flip_edges(state, FlipAim::kMeasure, progress));
   mesh.remove_tag<VertexId>(kWantedTag);
   return report;
 }

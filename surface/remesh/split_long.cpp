@@ -94,12 +94,11 @@ class SplitLong {
 
 }  // namespace
 
-std::uint64_t split_long_edges(RemeshState& state, const Progress& progress) {
+PassReport split_long_edges(RemeshState& state, const Progress& progress) {
   const SplitLong operation(state);
   return run_pass(state.mesh, operation,
                   edges_where(state.mesh, [&](SideId s) { return operation.wanted(s); }), PassOptions(),
-                  progress)
-      .won;
+                  progress);
 }
 
 }  // namespace quarry

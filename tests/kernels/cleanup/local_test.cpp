@@ -127,8 +127,10 @@ TEST(LocalCleanupOfOneMesh, CountsEveryAttempt) {
   const LocalCleanupReport report = clean_up(mesh);
   ASSERT_EQ(report.operators.size(), 6U);
   for (const LocalOperatorReport& one : report.operators) {
-    EXPECT_EQ(one.tried, one.won + one.invalid + one.poor) << one.name;
-    EXPECT_GE(one.looked_at, one.tried + one.no_gain) << one.name;
+    EXPECT_EQ(one.pass.won, one.won + one.invalid + one.poor) << one.pass.name;
+    EXPECT_GE(one.pass.live, one.pass.won) << one.pass.name;
+    EXPECT_GE(one.pass.proposed, one.pass.live) << one.pass.name;
+    EXPECT_EQ(one.pass.rounds > 0, one.pass.proposed > 0) << one.pass.name;
   }
   EXPECT_GT(report.operators[0].won, 0U);
 }

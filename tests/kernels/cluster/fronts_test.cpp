@@ -17,7 +17,7 @@ TEST(Fronts, RefineAlongConstraintsAndLeaveAValidMesh) {
     FrontReport report;
     align_fronts(made.mesh, made.lines, {}, report, Progress());
     EXPECT_EQ(validate(made.mesh, GeometryCheck::kPlanarCorners), "");
-    EXPECT_GT(report.splits, 0U);
+    EXPECT_GT(report.splits.won, 0U);
     EXPECT_LE(report.steps, 5U);
     QuadReport quads;
     const Mesh result = make_quads(std::move(made.mesh), made.lines, {}, quads, Progress());

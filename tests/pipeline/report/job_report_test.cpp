@@ -31,7 +31,7 @@ JobReport sample_report() {
   report.regions = summarize_regions(mesh);
   report.quality = summarize_quality(mesh);
   report.passes = {{"insert", 7, 100, 90, 80}};
-  report.times = {{"cleaning", 0.5}, {"insertion", 1.5}};
+  report.times = {{"cleaning", 0.5, 0.5}, {"insertion", 1.5, 3.6}};
   return report;
 }
 
@@ -51,6 +51,30 @@ TEST(JobReport, HoldsWhatTheContractLists) {
   EXPECT_EQ(quality["lo_measure"]["histogram_0.1"].size(), 10U);
   EXPECT_TRUE(quality["valence"].contains("irregular_share"));
   EXPECT_TRUE(quality["valence"]["histogram"].contains("4"));
+}
+
+TEST(JobReport, TellsHowLongThreadsWereWithoutWorkInEachStage) {
+  const auto json = nlohmann::json::parse(report_text(sample_report()))["processor"];
+  EXPECT_DOUBLE_EQ(json["cleaning"]["seconds"], 0.5);
+  EXPECT_DOUBLE_EQ(json["cleaning"]["idle"], 1 - 1.0 / 3);
+  EXPECT_DOUBLE_EQ(json["insertion"]["busy"], 0.8);
+  EXPECT_DOUBLE_EQ(json["total"]["busy"], 4.1 / 6);
+}
+
+TEST(JobReport, ListsThePassesOfTheCleanUpWithTheOthers) {
+  JobReport report = sample_report();
+  report.clean_up.emplace();
+  LocalOperatorReport& local = report.clean_up->local.operators.emplace_back();
+  local.pass = {"face collapse", 3, 30, 20, 10};
+  PatchReport& patches = report.clean_up->patches.emplace_back();
+  patches.largest = 32;
+  patches.commits = {"", 2, 8, 7, 6};
+  const auto passes = nlohmann::json::parse(report_text(report))["passes"];
+  ASSERT_EQ(passes.size(), 3U);
+  EXPECT_EQ(passes[1]["name"], "face collapse");
+  EXPECT_EQ(passes[1]["rounds"], 3);
+  EXPECT_EQ(passes[2]["name"], "patches of 32");
+  EXPECT_EQ(passes[2]["live"], 7);
 }
 
 TEST(JobReport, TellsTheFateOfEachLine) {

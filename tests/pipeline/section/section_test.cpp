@@ -182,6 +182,31 @@ TEST(SectionCount, IsToldWhereLinesNeedMoreElements) {
       mesh_section(options, {}).cleaned.notes.back().find("--count asks for 2 elements, and there are "), 0U);
 }
 
+std::vector<std::string> passes_with(Elements elements, QuadMethod quads, bool keep_boundary = false) {
+  SectionOptions options = options_for("tests/data/demo_section.geojson", 12);
+  options.elements = elements;
+  options.quads = quads;
+  options.keep_boundary = keep_boundary;
+  std::vector<std::string> names;
+  for (const PassReport& pass : report_section(options, mesh_section(options, {}), {}).passes) {
+    EXPECT_FALSE(pass.name.empty());
+    EXPECT_GE(pass.live, pass.won) << pass.name;
+    names.push_back(pass.name);
+  }
+  return names;
+}
+
+TEST(SectionReport, CountsEachPassThatRan) {
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(passes_with(Elements::kQuad, QuadMethod::kCluster),
+            (Names{"nodes", "lines", "rearrange", "rearrange"}));
+  EXPECT_EQ(passes_with(Elements::kTriangle, QuadMethod::kCluster, true),
+            (Names{"nodes", "lines", "vertices taken out of the outline", "flips to better triangles"}));
+  EXPECT_GE(passes_with(Elements::kQuad, QuadMethod::kMatching).size(), 4U);
+  const SectionOptions options = options_for("tests/data/demo_section.geojson", 12);
+  EXPECT_TRUE(report_section(options, clean_section(options, {}), {}).passes.empty());
+}
+
 TEST(SectionLengths, AreReportedAsTheyWereUsed) {
   const ScratchFile file("lines.geojson", geojson_text({{{0, 0}, {100, 0}}, {{0, 100}, {100, 100}}}));
   SectionOptions options = options_for(file.path(), 10);

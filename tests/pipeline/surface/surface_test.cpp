@@ -153,6 +153,19 @@ TEST_F(SurfaceJob, TellsInTheReportWhatWasRepaired) {
   EXPECT_EQ(result.repair.holes, 1U);
 }
 
+TEST_F(SurfaceJob, CountsEachPassThatRan) {
+  const SurfaceOptions options = options_for(file_of(test::sphere(3)), 800);
+  const SurfaceResult result = mesh_surface(options, Progress());
+  const JobReport report = report_surface(options, result, summarize_quality(result.mesh));
+  ASSERT_EQ(report.passes.size(), result.method == SurfaceQuads::kField ? 6U : 3U);
+  for (const PassReport& pass : report.passes) {
+    EXPECT_FALSE(pass.name.empty());
+    EXPECT_GE(pass.live, pass.won) << pass.name;
+  }
+  EXPECT_EQ(report.passes[2].name, "flips");
+  EXPECT_GT(report.passes[2].rounds, 0U);
+}
+
 TEST_F(SurfaceJob, RefusesWhatItCannotMeshInOneLine) {
   SurfaceOptions many = options_for(file_of(test::cube()), 1e6);
   many.max_elements = 1000;
