@@ -55,7 +55,6 @@ void refuse_options_of_lines(const MeshArguments& arguments) {
   };
   not_built(arguments.elements == "mixed" || arguments.mixed_quality.has_value(), "--elements mixed");
   not_built(arguments.method != "deferred", "--method");
-  not_built(arguments.quads == "matching", "--quads matching");
   not_built(!section.sizes.uniform(), "a size by place (--size-field, --refine-near, --between-lines)");
   not_built(arguments.written.split_fractures, "--split-fractures");
   not_built(!section.irregular_price.empty(), "--irregular-price");
@@ -93,6 +92,7 @@ SurfaceOptions options_of(const MeshArguments& arguments) {
       throw Error(ErrorKind::kUsage, fmt::format("{} is {}: it must be above 0", name, *value));
   options.elements = arguments.elements == "tri" ? Elements::kTriangle : Elements::kQuad;
   if (arguments.quads == "cluster") options.method = SurfaceQuads::kCluster;
+  if (arguments.quads == "matching") options.method = SurfaceQuads::kMatching;
   options.cleanup = clean_up_level_of(arguments.cleanup.empty() ? "full" : arguments.cleanup);
   options.features.sharp_degrees = sharpness_of(arguments.sharp);
   options.repair.weld = arguments.weld;

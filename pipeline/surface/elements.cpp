@@ -13,6 +13,8 @@ namespace {
 // Triangles of this edge are to make quads of edge 1: two that are paired make four, one that is not makes
 // three, as about one in eight does.
 const double kTrianglesForQuads = std::sqrt(2.12 * 4 / std::sqrt(3.0));
+// Of this edge, two that are matched make one.
+const double kTrianglesForMatching = std::sqrt(2 / std::sqrt(3.0));
 // A cell of the lattice makes four quads.
 constexpr double kSpacingForQuads = 2;
 // The edge of the triangles that the fields are found on, in spacings: with 0.55 there are as many irregular
@@ -81,6 +83,7 @@ class ElementMaker {
     SurfaceQuadOptions quads;
     quads.cleanup = options_.cleanup;
     quads.graded = !surface_.sizes.uniform();
+    if (result_.method == SurfaceQuads::kMatching) quads.matching.emplace();
     if (result_.method == SurfaceQuads::kField) {
       quads.first_sweeps = kFirstSweepsOfLattice;
       quads.sweeps_between = kSweepsBetweenOfLattice;
@@ -105,6 +108,7 @@ double element_area(Elements elements) { return elements == Elements::kTriangle 
 
 double first_edge(Elements elements, SurfaceQuads method) {
   if (elements == Elements::kTriangle) return 1;
+  if (method == SurfaceQuads::kMatching) return kTrianglesForMatching;
   return method == SurfaceQuads::kField ? kSpacingForQuads : kTrianglesForQuads;
 }
 

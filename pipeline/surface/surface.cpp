@@ -55,7 +55,7 @@ class SurfaceJob {
     find_size(repaired.surface);
     result_.repaired = repaired.surface;
     choose_method(repaired);
-    if (result_.method == SurfaceQuads::kCluster || !follow_field(repaired)) mesh_validly(repaired);
+    if (result_.method != SurfaceQuads::kField || !follow_field(repaired)) mesh_validly(repaired);
     if (const auto note = count_note(options_.count, result_.mesh, "features and details"))
       result_.notes.push_back(*note);
     result_.repair = std::move(repaired.report);
@@ -225,7 +225,10 @@ class SurfaceJob {
 
 }  // namespace
 
-const char* name_of(SurfaceQuads method) { return method == SurfaceQuads::kField ? "field" : "cluster"; }
+const char* name_of(SurfaceQuads method) {
+  if (method == SurfaceQuads::kMatching) return "matching";
+  return method == SurfaceQuads::kField ? "field" : "cluster";
+}
 
 SurfaceResult mesh_surface(const SurfaceOptions& options, const Progress& progress) {
   return SurfaceJob(options, progress).run();

@@ -23,10 +23,11 @@ namespace quarry {
 
 // How quads are made.
 enum class SurfaceQuads : std::uint8_t {
-  kField,    // from triangles in rows that follow a field of crosses (surface/lattice)
-  kCluster,  // from triangles that are nearly equilateral, where two make a good one
+  kField,     // from triangles in rows that follow a field of crosses (surface/lattice)
+  kCluster,   // from triangles that are nearly equilateral, where two make a good one; edges are halved
+  kMatching,  // from triangles that are nearly equilateral, any two of which become one
 };
-// The word of the command line: field, cluster.
+// The word of the command line: field, cluster, matching.
 [[nodiscard]] const char* name_of(SurfaceQuads method);
 
 struct SurfaceOptions {

@@ -12,6 +12,7 @@
 #include "kernels/cleanup/patch_remesh.hpp"
 #include "kernels/cluster/merge.hpp"
 #include "kernels/smooth/local_smoother.hpp"
+#include "surface/quads/match_triangles.hpp"
 #include "surface/quads/mend_faces.hpp"
 #include "surface/quads/place_on_surface.hpp"
 #include "surface/quads/reach_far_points.hpp"
@@ -50,13 +51,20 @@ class SurfaceQuads {
 
  private:
   void make_quads() {
+    if (options_.matching)
+      mesh_ = match_triangles(std::move(mesh_), network_, *options_.matching, report_.matching, progress_);
+    else
+      pair_and_halve();
+    place_on_surface(mesh_, ConstraintTags::of(mesh_), model_, network_, progress_);
+    compact(mesh_, EntityOrder::kHilbert);
+    mend();
+  }
+
+  void pair_and_halve() {
     progress_.report("pairing", 0);
     const Pairing pairing =
         pair_triangles(mesh_, ConstraintTags::of(mesh_), options_.pairing, report_.pairing, progress_);
     mesh_ = subdivide_in_space(merge_pairs(std::move(mesh_), pairing), report_.subdivide);
-    place_on_surface(mesh_, ConstraintTags::of(mesh_), model_, network_, progress_);
-    compact(mesh_, EntityOrder::kHilbert);
-    mend();
   }
 
   // Few faces, if any: those that were low as soon as triangles were paired, where features leave no room.
