@@ -219,10 +219,12 @@ class RegionGraph {
     const Vec3 p = mesh_.point3(mesh_.origin(place));
     throw Error(
         ErrorKind::kGeometry,
-        fmt::format("the boundary of the part at {} has {} sides, an odd number, which no mesh of "
-                    "quads alone can have: add or remove one vertex of it, or let its edges be halved "
-                    "(no --keep-boundary)",
-                    format_point(p.x, p.y), sides));
+        fmt::format(
+            "the boundary of the part at {} has {} sides, an odd number, which no mesh of "
+            "quads alone can have: add or remove one vertex of it, or let its edges be halved "
+            "(no --keep-boundary)",
+            mesh_.planar() ? format_point(p.x, p.y) : fmt::format("({:.9g}, {:.9g}, {:.9g})", p.x, p.y, p.z),
+            sides));
   }
 
   const Mesh& mesh_;

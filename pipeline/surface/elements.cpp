@@ -59,6 +59,7 @@ class ElementMaker {
     clock_.start("remeshing");
     RemeshOptions remesh;
     remesh.rounds = rounds;
+    remesh.keep_rims = options_.keep_boundary;
     const double edge = share * first_edge(options_.elements, result_.method) * result_.size;
     if (options_.count)
       remesh.wanted_faces = surface_.area / (element_area(Elements::kTriangle) * edge * edge);
@@ -83,15 +84,24 @@ class ElementMaker {
     SurfaceQuadOptions quads;
     quads.cleanup = options_.cleanup;
     quads.graded = !surface_.sizes.uniform();
-    if (result_.method == SurfaceQuads::kMatching) quads.matching.emplace();
+    if (result_.method == SurfaceQuads::kMatching) quads.matching = matching();
     if (result_.method == SurfaceQuads::kField) {
       quads.first_sweeps = kFirstSweepsOfLattice;
       quads.sweeps_between = kSweepsBetweenOfLattice;
       quads.last_sweeps = kLastSweepsOfLattice;
     }
     quads.wanted_faces = static_cast<std::size_t>(wanted_quads_);
+    result_.quads.matching = {};
     result_.mesh = make_surface_quads(std::move(result_.mesh), surface_.model, surface_.network, quads,
                                       result_.quads, progress_);
+  }
+
+  [[nodiscard]] MatchingOptions matching() const {
+    MatchingOptions matching;
+    matching.keep_boundary = options_.keep_boundary;
+    matching.searching.annealing_sweeps = options_.anneal;
+    matching.searching.seed = options_.seed;
+    return matching;
   }
 
   const SurfaceToMesh& surface_;

@@ -44,9 +44,14 @@ struct SurfaceOptions {
   std::optional<double> curvature;
   double max_elements = 2e8;
   Elements elements = Elements::kQuad;  // or kTriangle
-  // Surfaces whose sheets meet are clustered whatever is asked for: what they have in common is divided
+  // Surfaces whose sheets meet are clustered where a field is asked for: what they have in common is divided
   // before.
   SurfaceQuads method = SurfaceQuads::kField;
+  // Rims keep their own vertices, none added and none moved. With kMatching, or triangles.
+  bool keep_boundary = false;
+  // Of kMatching: sweeps of annealing, and what they are drawn by.
+  int anneal = 0;
+  std::uint64_t seed = 0;
   CleanUpLevel cleanup = CleanUpLevel::kFull;
   RepairOptions repair;
   FeatureOptions features;  // its size is set by the job

@@ -65,6 +65,7 @@ class SurfaceQuads {
     const Pairing pairing =
         pair_triangles(mesh_, ConstraintTags::of(mesh_), options_.pairing, report_.pairing, progress_);
     mesh_ = subdivide_in_space(merge_pairs(std::move(mesh_), pairing), report_.subdivide);
+    bind_middles(mesh_, ConstraintTags::of(mesh_), network_);
   }
 
   // Few faces, if any: those that were low as soon as triangles were paired, where features leave no room.
