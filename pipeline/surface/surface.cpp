@@ -55,7 +55,7 @@ class SurfaceJob {
     find_size(repaired.surface);
     result_.repaired = repaired.surface;
     choose_method(repaired);
-    if (result_.method != SurfaceQuads::kField || !follow_field(repaired)) mesh_validly(repaired);
+    if (result_.method == SurfaceQuads::kCluster || !follow_wish(repaired)) mesh_validly(repaired);
     if (const auto note = count_note(options_.count, result_.mesh, "features and details"))
       result_.notes.push_back(*note);
     result_.repair = std::move(repaired.report);
@@ -65,14 +65,17 @@ class SurfaceJob {
   }
 
  private:
-  // False, with a note why, if quads have to be made in the other way, as if nothing else had been tried.
-  bool follow_field(const RepairedSurface& repaired) {
+  // False, with a note why, if quads have to be made as clusters, as if nothing else had been tried.
+  bool follow_wish(const RepairedSurface& repaired) {
     try {
       if (mesh_validly(repaired)) return true;
       note_clusters("features or walls lie nearer to one another than two elements in many places");
     } catch (const Error& error) {
-      if (error.kind() != ErrorKind::kGeometry) throw;
-      note_clusters("a lattice leaves elements inverted or upside down");
+      // Clusters would halve the edges of rims.
+      if (error.kind() != ErrorKind::kGeometry || options_.keep_boundary) throw;
+      note_clusters(result_.method == SurfaceQuads::kField
+                        ? "a lattice leaves elements inverted or upside down"
+                        : "matching leaves elements inverted or upside down");
     }
     result_.method = SurfaceQuads::kCluster;
     return false;

@@ -45,7 +45,7 @@ struct SurfaceOptions {
   double max_elements = 2e8;
   Elements elements = Elements::kQuad;  // or kTriangle
   // Surfaces whose sheets meet are clustered where a field is asked for: what they have in common is divided
-  // before.
+  // before. So are those whose elements would come out inverted in another way; the result says which it was.
   SurfaceQuads method = SurfaceQuads::kField;
   // Rims keep their own vertices, none added and none moved. With kMatching, or triangles.
   bool keep_boundary = false;

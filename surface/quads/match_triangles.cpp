@@ -39,7 +39,11 @@ class SurfaceMatching {
  private:
   void make_regions_even() {
     const SpanningForest forest = maximum_spanning_forest(mesh_, pair_shapes(mesh_, tags_));
-    const auto may_halve = [&](SideId s) { return !options_.keep_boundary && !is_join(s); };
+    const auto may_halve = [&](SideId s) {
+      const VertexId a = mesh_.origin(s), b = mesh_.target(s);
+      return !options_.keep_boundary && network_.may_halve_outer(tags_.support[a], tags_.support[b],
+                                                                 0.5 * (mesh_.point3(a) + mesh_.point3(b)));
+    };
     const std::vector<SideId> odd = edges_to_halve(mesh_, tags_, forest.root, may_halve, report_.parity);
     halve_edges_at(mesh_, tags_, odd, [&](SideId s) { return middle_of(s); });
     progress_.throw_if_cancelled();
@@ -50,13 +54,6 @@ class SurfaceMatching {
     const Vec3 middle = 0.5 * (mesh_.point3(a) + mesh_.point3(b));
     const PieceId curve = network_.under_edge(tags_.support[a], tags_.support[b], middle);
     return {middle, curve.valid() ? Support::on(curve) : Support::fixed()};
-  }
-
-  // The other sheets at a join know nothing of a vertex that one of them gets. Its vertices that are no nodes
-  // are fixed to their places.
-  [[nodiscard]] bool is_join(SideId s) const {
-    const PieceId curve = middle_of(s).support.slides() ? middle_of(s).support.piece() : PieceId();
-    return !curve.valid() || network_.curves[curve].kind == FeatureKind::kJoin;
   }
 
   Mesh mesh_;

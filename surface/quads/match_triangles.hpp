@@ -10,9 +10,9 @@ namespace quarry {
 
 // triangles: as remesh_surface leaves them; consumed. The quads have edges as long as theirs, and are not
 // smoothed: vertices in the middle of halved features, which are bound to them, and those inside of triangles
-// lie on the triangles. Sheets that meet keep what they have in common as it is. Of the options those for the
-// plane alone (better_triangles, openings, rings, smoothing) are not used. No tombstones of faces. Throws
-// Error(kGeometry) as edges_to_halve does. The same on any number of threads.
+// lie on the triangles. Sheets that meet keep what they have in common as it is. Of the options those of
+// what comes before and after (better_triangles, openings, rings, smoothing) are not used. No tombstones of
+// faces. Throws Error(kGeometry) as edges_to_halve does. The same on any number of threads.
 [[nodiscard]] Mesh match_triangles(Mesh&& triangles, const CurveNetwork& network,
                                    const MatchingOptions& options, MatchingReport& report,
                                    const Progress& progress);

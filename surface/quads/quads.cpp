@@ -42,6 +42,7 @@ class SurfaceQuads {
   Mesh run() {
     make_quads();
     smooth(options_.first_sweeps);
+    if (options_.matching) open_corners();
     if (options_.cleanup != CleanUpLevel::kNone) clean_up();
     slide_and_smooth();
     mend();
@@ -66,6 +67,19 @@ class SurfaceQuads {
         pair_triangles(mesh_, ConstraintTags::of(mesh_), options_.pairing, report_.pairing, progress_);
     mesh_ = subdivide_in_space(merge_pairs(std::move(mesh_), pairing), report_.subdivide);
     bind_middles(mesh_, ConstraintTags::of(mesh_), network_);
+  }
+
+  // Where features hold corners straight no smoothing bends them.
+  void open_corners() {
+    for (int round = 0; round < options_.matching->opening_rounds; ++round) {
+      report_.matching.openings.push_back(
+          open_straight_corners(mesh_, options_.matching->openings, progress_));
+      if (report_.matching.openings.back().won == 0) return;
+      mesh_.remove_normals();
+      place_on_surface(mesh_, ConstraintTags::of(mesh_), model_, network_, progress_);
+      compact(mesh_, EntityOrder::kHilbert);
+      smooth(options_.sweeps_between);
+    }
   }
 
   // Few faces, if any: those that were low as soon as triangles were paired, where features leave no room.

@@ -22,8 +22,8 @@ class SplitLong {
   // the smaller ends.
   [[nodiscard]] bool wanted(SideId s) const {
     const Mesh& mesh = state_.mesh;
-    if (is_kept(s)) return false;
-    if (!(state_.relative_length(mesh.origin(s), mesh.target(s)) > state_.options.longest)) return false;
+    if (!(state_.relative_length(mesh.origin(s), mesh.target(s)) > state_.options.longest) || is_kept(s))
+      return false;
     const double squared = state_.squared_length(mesh.origin(s), mesh.target(s));
     const auto longest_of = [&](SideId side) {
       for (SideId other = mesh.next(side); other != side; other = mesh.next(other)) {
@@ -58,7 +58,11 @@ class SplitLong {
 
  private:
   [[nodiscard]] bool is_kept(SideId s) const {
-    return state_.options.keep_rims && !state_.mesh.neighbour(s).valid();
+    if (state_.mesh.neighbour(s).valid()) return false;
+    const auto [a, b] = key(s);
+    return state_.options.keep_rims ||
+           !state_.network.may_halve_outer(state_.tags.support[a], state_.tags.support[b],
+                                           0.5 * (state_.point(a) + state_.point(b)));
   }
   [[nodiscard]] std::pair<VertexId, VertexId> key(SideId s) const {
     return std::minmax(state_.mesh.origin(s), state_.mesh.target(s));

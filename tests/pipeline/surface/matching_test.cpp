@@ -133,6 +133,17 @@ TEST_F(SurfaceJob, RefusesToKeepAnOddRimOfQuads) {
   EXPECT_EQ(count_invalid(mesh_surface(options, Progress())), 0U);
 }
 
+// A strip of regions is narrower than an element: nothing but its two long sides could be halved.
+TEST_F(SurfaceJob, ByMatchingIsValidWhereFeaturesAreNarrowerThanAnElement) {
+  TriangleSurface strips = test::terrain(40, 40, [](double, double) { return 0.0; });
+  for (std::size_t t = 0; t < strips.groups.size(); ++t)
+    strips.groups[t] = static_cast<std::int32_t>(t / 80 % 5 == 0 ? 1 : 0);
+  const SurfaceResult result = mesh_surface(matching_for(file_of(strips), 800), Progress());
+  EXPECT_EQ(count_invalid(result), 0U);
+  for (const FaceId f : result.mesh.faces()) ASSERT_EQ(result.mesh.corner_count(f), 4);
+  EXPECT_EQ(result.notes.empty(), result.method == SurfaceQuads::kMatching);
+}
+
 // Of each edge in the common line of the sheets, how many faces have it in the file.
 std::map<std::pair<double, double>, int> faces_along_join(const std::string& path) {
   const ReadCells cells = read_cells(path);
