@@ -1,6 +1,7 @@
 // Topological clean-up of a planar quad mesh with constraints: local operators, then one-defect patches from
 // small to large, with sweeps of smoothing over the whole mesh in between, which keep large patches
-// acceptable, and the local operators again: vertices of six edges on the rims of patches are split. The steps have headers of their own; this is their order and their defaults.
+// acceptable, and the local operators again: vertices of six edges on the rims of patches are split. The
+// steps have headers of their own; this is their order and their defaults.
 //   C. Verma, T. Tautges: Jaal: engineering a high quality all-quadrilateral mesh generator. IMR 20, 2011.
 //   G. Bunin: Non-local topological clean-up. IMR 15, 2006.
 #pragma once

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <limits>
+#include <type_traits>
 
 #include "engine/geometry/predicates.hpp"
 #include "kernels/quality/element.hpp"
+#include "kernels/quality/space_face.hpp"
 
 namespace quarry {
 namespace {
@@ -68,22 +70,33 @@ bool can_split_edge(const Mesh& mesh, SideId s, Vec2 p) {
 namespace {
 
 // Calls visit(a, b, c) with the corners of each triangle that splitting the edge of s at p would make.
-void for_each_part(const Mesh& mesh, SideId s, Vec2 p, const auto& visit) {
+template <class Point>
+void for_each_part(const Mesh& mesh, SideId s, Point p, const auto& visit) {
+  const auto point_of = [&](VertexId v) {
+    if constexpr (std::is_same_v<Point, Vec2>)
+      return mesh.point(v);
+    else
+      return mesh.point3(v);
+  };
   for (const SideId side : {s, mesh.neighbour(s)}) {
     if (!side.valid()) continue;
-    const Vec2 c = mesh.point(mesh.origin(mesh.previous(side)));
-    visit(mesh.point(mesh.origin(side)), p, c);
-    visit(p, mesh.point(mesh.target(side)), c);
+    const Point c = point_of(mesh.origin(mesh.previous(side)));
+    visit(point_of(mesh.origin(side)), p, c);
+    visit(p, point_of(mesh.target(side)), c);
   }
+}
+
+template <class Point>
+double worst_part(const Mesh& mesh, SideId s, Point p) {
+  double worst = 1;
+  for_each_part(mesh, s, p, [&](Point a, Point b, Point c) { worst = std::min(worst, lo_measure(a, b, c)); });
+  return worst;
 }
 
 }  // namespace
 
-double worst_of_edge_split(const Mesh& mesh, SideId s, Vec2 p) {
-  double worst = 1;
-  for_each_part(mesh, s, p, [&](Vec2 a, Vec2 b, Vec2 c) { worst = std::min(worst, lo_measure(a, b, c)); });
-  return worst;
-}
+double worst_of_edge_split(const Mesh& mesh, SideId s, Vec2 p) { return worst_part(mesh, s, p); }
+double worst_of_edge_split(const Mesh& mesh, SideId s, Vec3 p) { return worst_part(mesh, s, p); }
 
 double lowest_of_edge_split(const Mesh& mesh, SideId s, Vec2 p) {
   double lowest = std::numeric_limits<double>::infinity();

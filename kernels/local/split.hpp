@@ -13,6 +13,8 @@ namespace quarry {
 
 // Lo's measure of the worst triangle that splitting the edge of s, or the face, at p would make.
 [[nodiscard]] double worst_of_edge_split(const Mesh& mesh, SideId s, Vec2 p);
+// The same in space, where it has no sign.
+[[nodiscard]] double worst_of_edge_split(const Mesh& mesh, SideId s, Vec3 p);
 // The smallest height of those triangles, in input units.
 [[nodiscard]] double lowest_of_edge_split(const Mesh& mesh, SideId s, Vec2 p);
 [[nodiscard]] double worst_of_face_split(const Mesh& mesh, FaceId f, Vec2 p);

@@ -1,13 +1,12 @@
 #include "kernels/matching/ears.hpp"
 
 #include <algorithm>
-#include <array>
-#include <vector>
+#include <type_traits>
 
 #include "engine/operation/editor.hpp"
 #include "engine/parallel/parallel.hpp"
 #include "kernels/local/split.hpp"
-#include "kernels/quality/element.hpp"
+#include "kernels/matching/quad_shape.hpp"
 
 namespace quarry {
 namespace {
@@ -24,11 +23,13 @@ SideId only_arc(const Mesh& mesh, ConstraintTags tags, FaceId f) {
   return only;
 }
 
+template <class Point>
 struct Cut {
   SideId side;
-  Vec2 point;
+  Point point;
 };
 
+template <class Point>
 class EarOpener {
  public:
   EarOpener(const Mesh& mesh, ConstraintTags tags, const EarOptions& options)
@@ -38,12 +39,12 @@ class EarOpener {
   // its origin; none if the quad is good enough.
   [[nodiscard]] SideId straight_corner(SideId s) const {
     for (const SideId at : {s, mesh_.neighbour(s)}) {
-      const Vec2 here = mesh_.point(mesh_.origin(at));
+      const Point here = point(mesh_.origin(at));
       // Counter-clockwise around the origin: from the apex across the edge to the apex of the face of `at`.
-      const Vec2 next = mesh_.point(matching::apex(mesh_, mesh_.neighbour(at)));
-      const Vec2 previous = mesh_.point(matching::apex(mesh_, at));
-      if (dot(next - here, previous - here) < 0 &&
-          corner_scaled_jacobian(previous, here, next) < options_.smallest_sine)
+      const Point next = point(matching::apex(mesh_, mesh_.neighbour(at)));
+      const Point previous = point(matching::apex(mesh_, at));
+      const matching::CornerSines<Point> sine(here, next, point(mesh_.target(at)), previous);
+      if (dot(next - here, previous - here) < 0 && sine(previous, here, next) < options_.smallest_sine)
         return at;
     }
     return {};
@@ -51,22 +52,23 @@ class EarOpener {
 
   // Where to split behind the neighbour across s so that the forced quad becomes best; no side if nothing is
   // valid.
-  [[nodiscard]] Cut best_cut(SideId s, SideId corner) const {
+  [[nodiscard]] Cut<Point> best_cut(SideId s, SideId corner) const {
     // In the neighbour (origin of t, target of t, apex): the edge that does not touch the straight corner.
     const SideId t = mesh_.neighbour(s);
     const SideId side = corner == t ? mesh_.next(t) : mesh_.previous(t);
     if (!matching::joinable(mesh_, tags_, side)) return {};
-    const Vec2 a = mesh_.point(mesh_.origin(side));
-    const Vec2 b = mesh_.point(mesh_.target(side));
-    const Vec2 p = mesh_.point(mesh_.origin(s));
-    const Vec2 q = mesh_.point(mesh_.target(s));
-    const Vec2 tip = mesh_.point(matching::apex(mesh_, s));
-    Cut best;
+    const Point a = point(mesh_.origin(side));
+    const Point b = point(mesh_.target(side));
+    const Point p = point(mesh_.origin(s));
+    const Point q = point(mesh_.target(s));
+    const Point tip = point(matching::apex(mesh_, s));
+    Cut<Point> best;
     double most = 0;
     for (const double share : {0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8}) {
-      const Vec2 x = a + share * (b - a);
-      if (!can_split_edge(mesh_, side, x)) continue;
-      const double corners = std::min(corner_scaled_jacobian(tip, p, x), corner_scaled_jacobian(x, q, tip));
+      const Point x = a + share * (b - a);
+      if (!can_split(side, x)) continue;
+      const matching::CornerSines<Point> sine(tip, p, x, q);
+      const double corners = std::min(sine(tip, p, x), sine(x, q, tip));
       const double worth = std::min(corners, worst_of_edge_split(mesh_, side, x));
       if (worth > most) {
         most = worth;
@@ -77,15 +79,24 @@ class EarOpener {
   }
 
  private:
+  [[nodiscard]] Point point(VertexId v) const { return matching::point_of<Point>(mesh_, v); }
+
+  // In space a part is flat at most, which its measure tells.
+  [[nodiscard]] bool can_split(SideId side, Point x) const {
+    if constexpr (std::is_same_v<Point, Vec2>)
+      return can_split_edge(mesh_, side, x);
+    else
+      return true;
+  }
+
   const Mesh& mesh_;
   ConstraintTags tags_;
   EarOptions options_;
 };
 
-}  // namespace
-
-void open_forced_ears(Mesh& mesh, ConstraintTags tags, const EarOptions& options, EarReport& report) {
-  const EarOpener opener(mesh, tags, options);
+template <class Point>
+void open_ears(Mesh& mesh, ConstraintTags tags, const EarOptions& options, EarReport& report) {
+  const EarOpener<Point> opener(mesh, tags, options);
   const auto ears = parallel::filter_indices(mesh.face_slots(), [&](std::size_t i) {
     return mesh.alive(FaceId(i)) && only_arc(mesh, tags, FaceId(i)).valid();
   });
@@ -98,13 +109,19 @@ void open_forced_ears(Mesh& mesh, ConstraintTags tags, const EarOptions& options
     const SideId corner = opener.straight_corner(s);
     if (!corner.valid()) continue;
     ++report.bad;
-    const Cut cut = opener.best_cut(s, corner);
+    const Cut<Point> cut = opener.best_cut(s, corner);
     if (!cut.side.valid()) continue;
     MeshEditor editor(mesh);
     (void)split_edge(editor, tags, cut.side, cut.point, Support::free(),
                      {mesh.grow_vertices(1), mesh.grow_faces(2)});
     ++report.opened;
   }
+}
+
+}  // namespace
+
+void open_forced_ears(Mesh& mesh, ConstraintTags tags, const EarOptions& options, EarReport& report) {
+  matching::with_points_of(mesh, [&]<class Point>(Point) { open_ears<Point>(mesh, tags, options, report); });
 }
 
 }  // namespace quarry

@@ -23,7 +23,8 @@ struct EarReport {
 // Splits, for each bad forced merge, the unconstrained edge of the neighbour that is opposite the straight
 // corner, at the place that makes the forced quad best. Two triangles become four, so that parities stay. The
 // forced quad is then cut off by the new vertex and valid, and what remains has a choice. Merges whose edge
-// to split is itself constrained stay as they are. Planar meshes.
+// to split is itself constrained stay as they are. In the plane and in space, where new vertices lie on the
+// edges that they split.
 void open_forced_ears(Mesh& mesh, ConstraintTags tags, const EarOptions& options, EarReport& report);
 
 }  // namespace quarry

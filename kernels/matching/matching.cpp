@@ -70,8 +70,8 @@ DualArcs find_join(const Mesh& mesh, ConstraintTags tags, const MatchingOptions&
 void prepare_for_join(Mesh& mesh, ConstraintTags tags, const NodedLines& lines,
                       const MatchingOptions& options, MatchingReport& report, const Progress& progress) {
   const SpanningForest forest = maximum_spanning_forest(mesh, pair_shapes(mesh, tags));
-  const std::vector<SideId> odd =
-      edges_to_halve(mesh, tags, forest.root, options.keep_boundary, report.parity);
+  const std::vector<SideId> odd = edges_to_halve(
+      mesh, tags, forest.root, [&](SideId) { return !options.keep_boundary; }, report.parity);
   halve_edges(mesh, tags, lines, odd);
   progress.throw_if_cancelled();
   open_forced_ears(mesh, tags, options.ears, report.ears);

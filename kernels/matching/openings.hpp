@@ -16,8 +16,9 @@ struct OpeningOptions {
   double least_gain = 0.05;
 };
 
-// Planar quad meshes with ConstraintTags. New vertices are free and inner; constrained sides and the boundary
-// stay. Every quad that was valid and changes becomes a valid one (exact). Smooth afterwards.
+// Quad meshes with ConstraintTags, in the plane and in space. New vertices are free and inner; constrained
+// sides and the boundary stay. Every quad that was valid and changes becomes a valid one, in the plane
+// exactly. Smooth afterwards.
 PassReport open_straight_corners(Mesh& mesh, const OpeningOptions& options, const Progress& progress);
 
 }  // namespace quarry

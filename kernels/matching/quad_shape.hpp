@@ -33,22 +33,41 @@ void with_points_of(const Mesh& mesh, Work&& work) {
     work(Vec3());
 }
 
-[[nodiscard]] inline double quad_shape(Vec2 a, Vec2 b, Vec2 c, Vec2 d) { return scaled_jacobian(a, b, c, d); }
+// The sines of the corners of one quad. In space they are measured against the normal of the whole quad, the
+// cross product of its diagonals. It points outwards for any quad made of two triangles that do, also where
+// the quad is not convex, and needs no search for the nearest place of the surface.
+template <class Point>
+class CornerSines;
 
-// In space corners are measured against the normal of the whole quad, the cross product of its diagonals. It
-// points outwards for any quad made of two triangles that do, also where the quad is not convex, and needs no
-// search for the nearest place of the surface.
-[[nodiscard]] inline double quad_shape(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
-  const Vec3 normal = cross(c - a, d - b);
-  const double size = length(normal);
-  if (!(size > 0)) return -1.0;
-  const auto corner = [&](Vec3 previous, Vec3 here, Vec3 next) {
+template <>
+class CornerSines<Vec2> {
+ public:
+  CornerSines(Vec2 /*a*/, Vec2 /*b*/, Vec2 /*c*/, Vec2 /*d*/) {}
+  [[nodiscard]] double operator()(Vec2 previous, Vec2 here, Vec2 next) const {
+    return corner_scaled_jacobian(previous, here, next);
+  }
+};
+
+template <>
+class CornerSines<Vec3> {
+ public:
+  CornerSines(Vec3 a, Vec3 b, Vec3 c, Vec3 d) : normal_(cross(c - a, d - b)), size_(length(normal_)) {}
+  [[nodiscard]] double operator()(Vec3 previous, Vec3 here, Vec3 next) const {
     const Vec3 out = next - here;
     const Vec3 back = previous - here;
-    const double lengths = size * std::sqrt(dot(out, out) * dot(back, back));
-    return lengths > 0 ? dot(normal, cross(out, back)) / lengths : -1.0;
-  };
-  return std::min(std::min(corner(d, a, b), corner(a, b, c)), std::min(corner(b, c, d), corner(c, d, a)));
+    const double lengths = size_ * std::sqrt(dot(out, out) * dot(back, back));
+    return lengths > 0 ? dot(normal_, cross(out, back)) / lengths : -1.0;
+  }
+
+ private:
+  Vec3 normal_;
+  double size_;
+};
+
+template <class Point>
+[[nodiscard]] double quad_shape(Point a, Point b, Point c, Point d) {
+  const CornerSines<Point> sine(a, b, c, d);
+  return std::min(std::min(sine(d, a, b), sine(a, b, c)), std::min(sine(b, c, d), sine(c, d, a)));
 }
 
 template <class Point>

@@ -8,10 +8,8 @@
 
 #include "engine/base/error.hpp"
 #include "engine/geometry/segment.hpp"
-#include "engine/operation/editor.hpp"
 #include "engine/parallel/parallel.hpp"
 #include "engine/parallel/sort.hpp"
-#include "kernels/local/split.hpp"
 
 namespace quarry {
 namespace {
@@ -66,8 +64,9 @@ struct Interface {
 
 class RegionGraph {
  public:
-  RegionGraph(const Mesh& mesh, ConstraintTags tags, const Regions& regions, bool keep_boundary)
-      : mesh_(mesh), tags_(tags), regions_(regions), keep_boundary_(keep_boundary) {
+  RegionGraph(const Mesh& mesh, ConstraintTags tags, const Regions& regions,
+              const MayHalveOuter& may_halve_outer)
+      : mesh_(mesh), tags_(tags), regions_(regions), may_halve_outer_(may_halve_outer) {
     find_interfaces();
     index_interfaces();
   }
@@ -99,7 +98,7 @@ class RegionGraph {
   [[nodiscard]] bool is_candidate(SideId s) const {
     if (!mesh_.alive(s.face()) || s.index() == 3) return false;
     const SideId t = mesh_.neighbour(s);
-    if (!t.valid()) return !keep_boundary_;
+    if (!t.valid()) return may_halve_outer_(s);
     return tags_.constrained(s) && s < t && regions_(s.face()) != regions_(t.face());
   }
 
@@ -123,9 +122,12 @@ class RegionGraph {
   // What speaks against an edge; of equals the longest is taken.
   [[nodiscard]] int reluctance(SideId s) const {
     const SideId t = mesh_.neighbour(s);
-    const Vec2 middle = midpoint(mesh_.point(mesh_.origin(s)), mesh_.point(mesh_.target(s)));
-    if (mesh_.planar() && !can_split_edge(mesh_, s, middle)) return 2;
+    if (mesh_.planar() && !can_split_edge(mesh_, s, middle_of(s))) return 2;
     return leaves_a_leaf(s) || (t.valid() && leaves_a_leaf(t)) ? 1 : 0;
+  }
+
+  [[nodiscard]] Vec2 middle_of(SideId s) const {
+    return midpoint(mesh_.point(mesh_.origin(s)), mesh_.point(mesh_.target(s)));
   }
 
   [[nodiscard]] bool better(SideId s, SideId than) const {
@@ -217,16 +219,18 @@ class RegionGraph {
     const Vec3 p = mesh_.point3(mesh_.origin(place));
     throw Error(
         ErrorKind::kGeometry,
-        fmt::format("the boundary of the part at {} has {} sides, an odd number, which no mesh of "
-                    "quads alone can have: add or remove one vertex of it, or let its edges be halved "
-                    "(no --keep-boundary)",
-                    format_point(p.x, p.y), sides));
+        fmt::format(
+            "the boundary of the part at {} has {} sides, an odd number, which no mesh of "
+            "quads alone can have: add or remove one vertex of it, or let its edges be halved "
+            "(no --keep-boundary)",
+            mesh_.planar() ? format_point(p.x, p.y) : fmt::format("({:.9g}, {:.9g}, {:.9g})", p.x, p.y, p.z),
+            sides));
   }
 
   const Mesh& mesh_;
   ConstraintTags tags_;
   const Regions& regions_;
-  bool keep_boundary_;
+  const MayHalveOuter& may_halve_outer_;
   std::vector<Interface> interfaces_;  // by regions
   std::vector<std::uint32_t> begin_, at_;
   std::vector<std::uint32_t> through_;
@@ -243,13 +247,13 @@ Support support_of_middle(const Mesh& mesh, ConstraintTags tags, const PieceFind
 }  // namespace
 
 std::vector<SideId> edges_to_halve(const Mesh& mesh, ConstraintTags tags,
-                                   const IdVector<FaceId, FaceId>& root, bool keep_boundary,
+                                   const IdVector<FaceId, FaceId>& root, const MayHalveOuter& may_halve_outer,
                                    ParityReport& report) {
   const Regions regions(mesh, root);
   report.regions = regions.face.size();
   report.odd_regions = static_cast<std::uint64_t>(std::count(regions.odd.begin(), regions.odd.end(), 1));
   if (report.odd_regions == 0) return {};
-  std::vector<SideId> sides = RegionGraph(mesh, tags, regions, keep_boundary).join();
+  std::vector<SideId> sides = RegionGraph(mesh, tags, regions, may_halve_outer).join();
   report.halved_edges = sides.size();
   return sides;
 }
@@ -257,13 +261,9 @@ std::vector<SideId> edges_to_halve(const Mesh& mesh, ConstraintTags tags,
 void halve_edges(Mesh& mesh, ConstraintTags tags, const NodedLines& lines, std::span<const SideId> sides) {
   if (sides.empty()) return;
   const PieceFinder finder(lines);
-  // Halving one edge renumbers the sides of its faces: the others are remembered by their ends.
-  std::vector<std::pair<VertexId, VertexId>> ends;
-  for (const SideId s : sides) ends.emplace_back(mesh.origin(s), mesh.target(s));
-  for (const auto& [a, b] : ends) {
-    const SideId s = mesh.find_side(a, b);
+  halve_edges_at(mesh, tags, sides, [&](SideId s) {
     const Support support = support_of_middle(mesh, tags, finder, s);
-    Vec2 middle = midpoint(mesh.point(a), mesh.point(b));
+    Vec2 middle = midpoint(mesh.point(mesh.origin(s)), mesh.point(mesh.target(s)));
     if (support.slides()) {
       const Piece& piece = lines.pieces[support.piece()];
       middle = closest_point(middle, lines.nodes[piece.from], lines.nodes[piece.to]);
@@ -274,11 +274,8 @@ void halve_edges(Mesh& mesh, ConstraintTags tags, const NodedLines& lines, std::
           fmt::format("the edge at {} is too flat to be halved, which its region needs to become quads: "
                       "clean the lines there with a larger --snap, or use --quads cluster",
                       format_point(middle.x, middle.y)));
-    MeshEditor editor(mesh);
-    const std::size_t faces = mesh.neighbour(s).valid() ? 2 : 1;
-    const NewIds ids{mesh.grow_vertices(1), mesh.grow_faces(faces)};
-    (void)split_edge(editor, tags, s, middle, support, ids);
-  }
+    return std::pair(middle, support);
+  });
 }
 
 }  // namespace quarry

@@ -1,4 +1,4 @@
-// The verdict on a face of a surface in space.
+// Measures of a face of a surface in space: the verdict on it, and Lo's of a triangle.
 #pragma once
 
 #include <algorithm>
@@ -40,6 +40,13 @@ inline constexpr double kLeastFacing = 0.3;
   if (count == 3) smallest = std::min(1.0, kTriangleFactor * smallest);
   if (!(smallest > 0)) return std::min(smallest, kNotConvex);
   return facing >= least ? smallest : kNotConvex * (1 - 0.9 * smallest);
+}
+
+// Lo's measure of a triangle in space: 1 if equilateral, 0 if flat. Has no sign.
+[[nodiscard]] inline double lo_measure(Vec3 a, Vec3 b, Vec3 c) {
+  const Vec3 ab = b - a, bc = c - b, ca = a - c;
+  const double squares = dot(ab, ab) + dot(bc, bc) + dot(ca, ca);
+  return squares > 0 ? 3.4641016151377546 * length(cross(ab, bc)) / squares : 0;
 }
 
 }  // namespace quarry

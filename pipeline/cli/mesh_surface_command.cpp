@@ -45,7 +45,6 @@ void refuse_options_of_lines(const MeshArguments& arguments) {
   refuse(!arguments.orient.empty(), "--orient");
   refuse(arguments.preset != "default", "--preset");
   refuse(section.fronts.has_value(), "--fronts");
-  refuse(arguments.keep_boundary, "--keep-boundary");
   refuse(section.project, "--project");
   refuse(section.as_is, "--as-is");
   refuse(!section.section.empty(), "--section");
@@ -55,10 +54,18 @@ void refuse_options_of_lines(const MeshArguments& arguments) {
   };
   not_built(arguments.elements == "mixed" || arguments.mixed_quality.has_value(), "--elements mixed");
   not_built(arguments.method != "deferred", "--method");
-  not_built(arguments.quads == "matching", "--quads matching");
   not_built(!section.sizes.uniform(), "a size by place (--size-field, --refine-near, --between-lines)");
   not_built(arguments.written.split_fractures, "--split-fractures");
   not_built(!section.irregular_price.empty(), "--irregular-price");
+}
+
+void check_options_of_matching(const MeshArguments& arguments) {
+  const bool matches = arguments.quads == "matching" && arguments.elements == "quad";
+  if (arguments.section.anneal > 0 && !matches)
+    throw Error(ErrorKind::kUsage, "--anneal needs quadrilaterals by --quads matching");
+  if (arguments.keep_boundary && arguments.elements != "tri" && !matches)
+    throw Error(ErrorKind::kUsage,
+                "--keep-boundary needs --quads matching: fields and clusters halve every edge");
 }
 
 std::optional<double> sharpness_of(const std::string& text) {
@@ -72,6 +79,7 @@ std::optional<double> sharpness_of(const std::string& text) {
 
 SurfaceOptions options_of(const MeshArguments& arguments) {
   refuse_options_of_lines(arguments);
+  check_options_of_matching(arguments);
   const SectionOptions& section = arguments.section;
   SurfaceOptions options;
   options.inputs = section.inputs;
@@ -93,6 +101,10 @@ SurfaceOptions options_of(const MeshArguments& arguments) {
       throw Error(ErrorKind::kUsage, fmt::format("{} is {}: it must be above 0", name, *value));
   options.elements = arguments.elements == "tri" ? Elements::kTriangle : Elements::kQuad;
   if (arguments.quads == "cluster") options.method = SurfaceQuads::kCluster;
+  if (arguments.quads == "matching") options.method = SurfaceQuads::kMatching;
+  options.keep_boundary = arguments.keep_boundary;
+  options.anneal = section.anneal;
+  options.seed = section.seed;
   options.cleanup = clean_up_level_of(arguments.cleanup.empty() ? "full" : arguments.cleanup);
   options.features.sharp_degrees = sharpness_of(arguments.sharp);
   options.repair.weld = arguments.weld;

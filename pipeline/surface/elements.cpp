@@ -13,6 +13,8 @@ namespace {
 // Triangles of this edge are to make quads of edge 1: two that are paired make four, one that is not makes
 // three, as about one in eight does.
 const double kTrianglesForQuads = std::sqrt(2.12 * 4 / std::sqrt(3.0));
+// Of this edge, two that are matched make one.
+const double kTrianglesForMatching = std::sqrt(2 / std::sqrt(3.0));
 // A cell of the lattice makes four quads.
 constexpr double kSpacingForQuads = 2;
 // The edge of the triangles that the fields are found on, in spacings: with 0.55 there are as many irregular
@@ -57,6 +59,7 @@ class ElementMaker {
     clock_.start("remeshing");
     RemeshOptions remesh;
     remesh.rounds = rounds;
+    remesh.keep_rims = options_.keep_boundary;
     const double edge = share * first_edge(options_.elements, result_.method) * result_.size;
     if (options_.count)
       remesh.wanted_faces = surface_.area / (element_area(Elements::kTriangle) * edge * edge);
@@ -81,14 +84,24 @@ class ElementMaker {
     SurfaceQuadOptions quads;
     quads.cleanup = options_.cleanup;
     quads.graded = !surface_.sizes.uniform();
+    if (result_.method == SurfaceQuads::kMatching) quads.matching = matching();
     if (result_.method == SurfaceQuads::kField) {
       quads.first_sweeps = kFirstSweepsOfLattice;
       quads.sweeps_between = kSweepsBetweenOfLattice;
       quads.last_sweeps = kLastSweepsOfLattice;
     }
     quads.wanted_faces = static_cast<std::size_t>(wanted_quads_);
+    result_.quads.matching = {};
     result_.mesh = make_surface_quads(std::move(result_.mesh), surface_.model, surface_.network, quads,
                                       result_.quads, progress_);
+  }
+
+  [[nodiscard]] MatchingOptions matching() const {
+    MatchingOptions matching;
+    matching.keep_boundary = options_.keep_boundary;
+    matching.searching.annealing_sweeps = options_.anneal;
+    matching.searching.seed = options_.seed;
+    return matching;
   }
 
   const SurfaceToMesh& surface_;
@@ -105,6 +118,7 @@ double element_area(Elements elements) { return elements == Elements::kTriangle 
 
 double first_edge(Elements elements, SurfaceQuads method) {
   if (elements == Elements::kTriangle) return 1;
+  if (method == SurfaceQuads::kMatching) return kTrianglesForMatching;
   return method == SurfaceQuads::kField ? kSpacingForQuads : kTrianglesForQuads;
 }
 

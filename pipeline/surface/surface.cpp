@@ -55,7 +55,7 @@ class SurfaceJob {
     find_size(repaired.surface);
     result_.repaired = repaired.surface;
     choose_method(repaired);
-    if (result_.method == SurfaceQuads::kCluster || !follow_field(repaired)) mesh_validly(repaired);
+    if (result_.method == SurfaceQuads::kCluster || !follow_wish(repaired)) mesh_validly(repaired);
     if (const auto note = count_note(options_.count, result_.mesh, "features and details"))
       result_.notes.push_back(*note);
     result_.repair = std::move(repaired.report);
@@ -65,14 +65,17 @@ class SurfaceJob {
   }
 
  private:
-  // False, with a note why, if quads have to be made in the other way, as if nothing else had been tried.
-  bool follow_field(const RepairedSurface& repaired) {
+  // False, with a note why, if quads have to be made as clusters, as if nothing else had been tried.
+  bool follow_wish(const RepairedSurface& repaired) {
     try {
       if (mesh_validly(repaired)) return true;
       note_clusters("features or walls lie nearer to one another than two elements in many places");
     } catch (const Error& error) {
-      if (error.kind() != ErrorKind::kGeometry) throw;
-      note_clusters("a lattice leaves elements inverted or upside down");
+      // Clusters would halve the edges of rims.
+      if (error.kind() != ErrorKind::kGeometry || options_.keep_boundary) throw;
+      note_clusters(result_.method == SurfaceQuads::kField
+                        ? "a lattice leaves elements inverted or upside down"
+                        : "matching leaves elements inverted or upside down");
     }
     result_.method = SurfaceQuads::kCluster;
     return false;
@@ -124,13 +127,7 @@ class SurfaceJob {
   // if the method cannot be had.
   bool mesh(RepairedSurface repaired) {
     const double edge = first_edge(options_.elements, result_.method) * result_.size;
-    const RemeshOptions remesh;
-    coarsen_joins(repaired, {.shortest = remesh.shortest * edge,
-                             .longest = remesh.longest * edge,
-                             .deviation = remesh.feature_deviation * edge});
-    result_.imprint = {};
-    const std::vector<LineEdge> lines = imprint(repaired, edge);
-    split_joins(repaired, remesh.longest * edge);
+    const std::vector<LineEdge> lines = divide_joins(repaired, edge);
     clock_.start("finding features");
     FeatureOptions features = options_.features;
     features.size = edge;
@@ -140,6 +137,7 @@ class SurfaceJob {
     Mesh& elements = result_.mesh;
     elements = make_sheets(repaired);
     const ConstraintTags tags = bind_features(elements, network);
+    if (options_.keep_boundary) fix_rims(elements, tags);
     const SurfaceModel model(elements, tags, kPointSpacing * result_.size);
     clock_.start("finding sizes");
     SizeDemands demands{.edge = edge, .size = result_.size, .area = area_, .tight = tight_};
@@ -152,6 +150,23 @@ class SurfaceJob {
     set_surface_regions(elements, repaired.surface.groups, model);
     finish_surface_mesh(elements, network, result_.lines);
     return true;
+  }
+
+  // What sheets share gets its edges, and lines theirs, which are returned. Nothing but halving would make
+  // sheets even that end in joins alone, and no sheet may do so on its own: for a matching joins are made
+  // twice as long and halved.
+  [[nodiscard]] std::vector<LineEdge> divide_joins(RepairedSurface& repaired, double edge) {
+    const bool halved = makes_quads() && result_.method == SurfaceQuads::kMatching;
+    const double wanted = halved ? 2 * edge : edge;
+    const RemeshOptions remesh;
+    coarsen_joins(repaired, {.shortest = remesh.shortest * wanted,
+                             .longest = remesh.longest * wanted,
+                             .deviation = remesh.feature_deviation * edge});
+    result_.imprint = {};
+    std::vector<LineEdge> lines = imprint(repaired, edge);
+    split_joins(repaired, remesh.longest * wanted);
+    if (halved) halve_joins(repaired);
+    return lines;
   }
 
   void find_size(const TriangleSurface& surface) {
@@ -207,7 +222,7 @@ class SurfaceJob {
 
   void choose_method(const RepairedSurface& repaired) {
     result_.method = makes_quads() ? options_.method : SurfaceQuads::kCluster;
-    if (result_.method == SurfaceQuads::kCluster || repaired.joins.empty()) return;
+    if (result_.method != SurfaceQuads::kField || repaired.joins.empty()) return;
     note_clusters("sheets of the surface meet");
     result_.method = SurfaceQuads::kCluster;
   }
@@ -225,7 +240,10 @@ class SurfaceJob {
 
 }  // namespace
 
-const char* name_of(SurfaceQuads method) { return method == SurfaceQuads::kField ? "field" : "cluster"; }
+const char* name_of(SurfaceQuads method) {
+  if (method == SurfaceQuads::kMatching) return "matching";
+  return method == SurfaceQuads::kField ? "field" : "cluster";
+}
 
 SurfaceResult mesh_surface(const SurfaceOptions& options, const Progress& progress) {
   return SurfaceJob(options, progress).run();

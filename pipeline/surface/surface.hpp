@@ -23,10 +23,11 @@ namespace quarry {
 
 // How quads are made.
 enum class SurfaceQuads : std::uint8_t {
-  kField,    // from triangles in rows that follow a field of crosses (surface/lattice)
-  kCluster,  // from triangles that are nearly equilateral, where two make a good one
+  kField,     // from triangles in rows that follow a field of crosses (surface/lattice)
+  kCluster,   // from triangles that are nearly equilateral, where two make a good one; edges are halved
+  kMatching,  // from triangles that are nearly equilateral, any two of which become one
 };
-// The word of the command line: field, cluster.
+// The word of the command line: field, cluster, matching.
 [[nodiscard]] const char* name_of(SurfaceQuads method);
 
 struct SurfaceOptions {
@@ -43,9 +44,14 @@ struct SurfaceOptions {
   std::optional<double> curvature;
   double max_elements = 2e8;
   Elements elements = Elements::kQuad;  // or kTriangle
-  // Surfaces whose sheets meet are clustered whatever is asked for: what they have in common is divided
-  // before.
+  // Surfaces whose sheets meet are clustered where a field is asked for: what they have in common is divided
+  // before. So are those whose elements would come out inverted in another way; the result says which it was.
   SurfaceQuads method = SurfaceQuads::kField;
+  // Rims keep their own vertices, none added and none moved. With kMatching, or triangles.
+  bool keep_boundary = false;
+  // Of kMatching: sweeps of annealing, and what they are drawn by.
+  int anneal = 0;
+  std::uint64_t seed = 0;
   CleanUpLevel cleanup = CleanUpLevel::kFull;
   RepairOptions repair;
   FeatureOptions features;  // its size is set by the job

@@ -52,8 +52,13 @@ std::vector<ReportItem> resolved_options(const SurfaceOptions& options, const Su
       {"curvature", options.curvature.value_or(0)},
       {"weld", options.repair.weld},
       {"fill-holes", std::int64_t{options.repair.fill_holes}}};
+  if (options.keep_boundary) items.push_back({"keep-boundary", std::int64_t{1}});
   if (options.elements != Elements::kTriangle)
     items.push_back({"quads", std::string(name_of(result.method))});
+  if (result.method == SurfaceQuads::kMatching) {
+    items.push_back({"anneal", std::int64_t{options.anneal}});
+    items.push_back({"seed", whole(options.seed)});
+  }
   return items;
 }
 
@@ -78,6 +83,13 @@ JobReport report_surface(const SurfaceOptions& options, const SurfaceResult& res
   if (result.method == SurfaceQuads::kField)
     report.passes.insert(report.passes.end(),
                          {result.lattice.joins, result.lattice.collapses, result.lattice.flips});
+  if (result.method == SurfaceQuads::kMatching) {
+    const MatchingReport& m = result.quads.matching;
+    report.counts.insert(report.counts.end(), {{"steiner_points", whole(m.steiner_points)},
+                                               {"annealing_moves", whole(m.search.annealing_moves)},
+                                               {"edges_halved_for_parity", whole(m.parity.halved_edges)},
+                                               {"forced_merges_opened", whole(m.ears.opened)}});
+  }
   report.notes = result.notes;
   if (!options.lines.empty()) {
     report.input_files.insert(report.input_files.end(), options.lines.begin(), options.lines.end());

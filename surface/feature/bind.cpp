@@ -42,4 +42,12 @@ ConstraintTags bind_features(Mesh& sheets, const CurveNetwork& network) {
   return tags;
 }
 
+void fix_rims(const Mesh& sheets, ConstraintTags tags) {
+  parallel::for_each(sheets.vertex_slots(), [&](std::size_t i) {
+    const VertexId v(i);
+    if (sheets.alive(v) && sheets.on_boundary(v) && tags.support[v].slides())
+      tags.support[v] = Support::fixed();
+  });
+}
+
 }  // namespace quarry

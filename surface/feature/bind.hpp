@@ -11,4 +11,7 @@ namespace quarry {
 // features bound to their curve.
 ConstraintTags bind_features(Mesh& sheets, const CurveNetwork& network);
 
+// Fixes the vertices of rims, which slide along them else, to their places.
+void fix_rims(const Mesh& sheets, ConstraintTags tags);
+
 }  // namespace quarry

@@ -31,6 +31,12 @@ struct CurveNetwork {
   // two nodes: of the curves that join them the one that comes nearest to the middle. None where an end is
   // fixed to a place of its own.
   [[nodiscard]] PieceId under_edge(Support a, Support b, Vec3 middle) const;
+  // Whether an outer edge of which the same is known may be halved: not where sheets meet, as the others know
+  // nothing of the new vertex, nor between places that are fixed.
+  [[nodiscard]] bool may_halve_outer(Support a, Support b, Vec3 middle) const {
+    const PieceId curve = under_edge(a, b, middle);
+    return curve.valid() && curves[curve].kind != FeatureKind::kJoin;
+  }
 };
 
 // Nodes are the points at which other than two features meet, or two of different kinds or lines, the

@@ -26,7 +26,8 @@ Vec3 normal_around(const Mesh& mesh, VertexId v) {
   return size > 0 ? (1 / size) * sum : Vec3{0, 0, 1};
 }
 
-// What subdivide_in_space left fixed in the middle of a feature between two nodes slides on that feature.
+// What subdivide_in_space left fixed in the middle of a feature between two nodes slides on that feature; not
+// on a join, where the other sheets know nothing of it.
 Support support_on_feature(const Mesh& mesh, const ConstraintTags& tags, const CurveNetwork& network,
                            VertexId v) {
   const Support support = tags.support[v];
@@ -35,7 +36,7 @@ Support support_on_feature(const Mesh& mesh, const ConstraintTags& tags, const C
   for_each_constrained_neighbour(mesh, tags, v, [&](VertexId w) { ends.push_back(tags.support[w]); });
   if (ends.size() != 2 || !ends[0].is_node() || !ends[1].is_node()) return support;
   const PieceId curve = network.under_edge(ends[0], ends[1], mesh.point3(v));
-  return curve.valid() ? Support::on(curve) : support;
+  return curve.valid() && network.curves[curve].kind != FeatureKind::kJoin ? Support::on(curve) : support;
 }
 
 // Moves vertices to where they belong as far as the faces around them bear it: what halving leaves lies flat
@@ -80,30 +81,36 @@ constexpr double kLeastAgreement = 0.5;
 
 }  // namespace
 
-void place_on_surface(Mesh& mesh, ConstraintTags tags, const SurfaceModel& model, const CurveNetwork& network,
-                      const Progress& progress) {
+void bind_middles(const Mesh& mesh, ConstraintTags tags, const CurveNetwork& network) {
   // Read all before any is written: supports of neighbours are looked at.
   std::vector<Support> supports(mesh.vertex_slots());
+  parallel::for_each(mesh.vertex_slots(), [&](std::size_t i) {
+    if (mesh.alive(VertexId(i))) supports[i] = support_on_feature(mesh, tags, network, VertexId(i));
+  });
+  parallel::for_each(mesh.vertex_slots(), [&](std::size_t i) {
+    if (mesh.alive(VertexId(i))) tags.support[VertexId(i)] = supports[i];
+  });
+}
+
+void place_on_surface(Mesh& mesh, ConstraintTags tags, const SurfaceModel& model, const CurveNetwork& network,
+                      const Progress& progress) {
   std::vector<Vec3> targets(mesh.vertex_slots());
   auto normals = mesh.add_normals();
   parallel::for_each(mesh.vertex_slots(), [&](std::size_t i) {
     const VertexId v(i);
     if (!mesh.alive(v)) return;
-    supports[i] = support_on_feature(mesh, tags, network, v);
+    const Support support = tags.support[v];
     targets[i] = mesh.point3(v);
-    if (supports[i].is_free()) {
+    if (support.is_free()) {
       const Vec3 around = normal_around(mesh, v);
       const SpacePoint foot = model.project({targets[i], around});
       // Where an element bridges a fold the nearest point lies on one side of it: its normal says nothing.
       const bool agrees = dot(foot.up, around) >= kLeastAgreement;
       if (agrees) targets[i] = foot.place;
       normals[v] = agrees ? foot.up : around;
-    } else if (supports[i].slides()) {
-      targets[i] = network.project(supports[i].piece(), targets[i]);
+    } else if (support.slides()) {
+      targets[i] = network.project(support.piece(), targets[i]);
     }
-  });
-  parallel::for_each(mesh.vertex_slots(), [&](std::size_t i) {
-    if (mesh.alive(VertexId(i))) tags.support[VertexId(i)] = supports[i];
   });
   VertexColouring colouring(mesh);
   run_sweeps(mesh, colouring, PlacingMover(normals, targets), kPlacingSweeps, progress);

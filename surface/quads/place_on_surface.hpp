@@ -9,10 +9,13 @@
 
 namespace quarry {
 
+// Binds vertices that subdivide_in_space left fixed in the middle of a feature between two nodes to it, but
+// for those where sheets meet.
+void bind_middles(const Mesh& mesh, ConstraintTags tags, const CurveNetwork& network);
+
 // Free vertices go to the surface, those bound to a feature to its curve, as far as no face that is low
-// becomes lower: the rest of the way is left to smoothing. Those that subdivide_in_space left fixed in the
-// middle of a feature between two nodes are bound to it first. Gives the mesh its normals
-// (Mesh::add_normals): those of the surface at free vertices.
+// becomes lower: the rest of the way is left to smoothing. Gives the mesh its normals (Mesh::add_normals):
+// those of the surface at free vertices.
 void place_on_surface(Mesh& mesh, ConstraintTags tags, const SurfaceModel& model, const CurveNetwork& network,
                       const Progress& progress);
 

@@ -12,6 +12,7 @@
 #include "kernels/cleanup/patch_remesh.hpp"
 #include "kernels/cluster/merge.hpp"
 #include "kernels/smooth/local_smoother.hpp"
+#include "surface/quads/match_triangles.hpp"
 #include "surface/quads/mend_faces.hpp"
 #include "surface/quads/place_on_surface.hpp"
 #include "surface/quads/reach_far_points.hpp"
@@ -41,6 +42,7 @@ class SurfaceQuads {
   Mesh run() {
     make_quads();
     smooth(options_.first_sweeps);
+    if (options_.matching) open_corners();
     if (options_.cleanup != CleanUpLevel::kNone) clean_up();
     slide_and_smooth();
     mend();
@@ -50,13 +52,34 @@ class SurfaceQuads {
 
  private:
   void make_quads() {
+    if (options_.matching)
+      mesh_ = match_triangles(std::move(mesh_), network_, *options_.matching, report_.matching, progress_);
+    else
+      pair_and_halve();
+    place_on_surface(mesh_, ConstraintTags::of(mesh_), model_, network_, progress_);
+    compact(mesh_, EntityOrder::kHilbert);
+    mend();
+  }
+
+  void pair_and_halve() {
     progress_.report("pairing", 0);
     const Pairing pairing =
         pair_triangles(mesh_, ConstraintTags::of(mesh_), options_.pairing, report_.pairing, progress_);
     mesh_ = subdivide_in_space(merge_pairs(std::move(mesh_), pairing), report_.subdivide);
-    place_on_surface(mesh_, ConstraintTags::of(mesh_), model_, network_, progress_);
-    compact(mesh_, EntityOrder::kHilbert);
-    mend();
+    bind_middles(mesh_, ConstraintTags::of(mesh_), network_);
+  }
+
+  // Where features hold corners straight no smoothing bends them.
+  void open_corners() {
+    for (int round = 0; round < options_.matching->opening_rounds; ++round) {
+      report_.matching.openings.push_back(
+          open_straight_corners(mesh_, options_.matching->openings, progress_));
+      if (report_.matching.openings.back().won == 0) return;
+      mesh_.remove_normals();
+      place_on_surface(mesh_, ConstraintTags::of(mesh_), model_, network_, progress_);
+      compact(mesh_, EntityOrder::kHilbert);
+      smooth(options_.sweeps_between);
+    }
   }
 
   // Few faces, if any: those that were low as soon as triangles were paired, where features leave no room.

@@ -1,13 +1,16 @@
-// From triangles on a surface to a quad mesh of it: pairs, halved edges, and the clean-up and one-defect
-// patches of the plane (kernels/cleanup), which know the surface as a SpaceModel. Features and rims stay
-// chains of edges.
+// From triangles on a surface to a quad mesh of it: pairs and halved edges, or a matching that halves none,
+// and the clean-up and one-defect patches of the plane (kernels/cleanup), which know the surface as a
+// SpaceModel. Features and rims stay chains of edges.
 #pragma once
+
+#include <optional>
 
 #include "engine/base/progress.hpp"
 #include "engine/mesh/mesh.hpp"
 #include "kernels/cleanup/clean_up.hpp"
 #include "kernels/cluster/pairing.hpp"
 #include "kernels/cluster/subdivide.hpp"
+#include "kernels/matching/matching.hpp"
 #include "surface/feature/curve_network.hpp"
 #include "surface/model/surface_model.hpp"
 #include "surface/quads/reach_far_points.hpp"
@@ -16,6 +19,8 @@ namespace quarry {
 
 struct SurfaceQuadOptions {
   PairingOptions pairing;
+  // In the place of pairs and halved edges; see match_triangles.
+  std::optional<MatchingOptions> matching;
   CleanUpLevel cleanup = CleanUpLevel::kFull;
   LocalCleanupOptions local;
   PatchOptions patches;
@@ -39,14 +44,15 @@ struct SurfaceQuadOptions {
 struct SurfaceQuadReport {
   PairingReport pairing;
   SubdivideReport subdivide;
+  MatchingReport matching;      // in their place
   CleanUpReport clean_up;       // all smoothing is in its smoothing_seconds
   std::size_t reached = 0;      // vertices that were brought to far points of the surface
   std::size_t turned_over = 0;  // faces that are so in the end, by the normals at their free vertices
 };
 
-// triangles: as remesh_surface leaves them, about two wanted edges long; consumed. The quads have edges half
-// as long. The result has ConstraintTags and the normals of the surface, and no tombstones. The same on any
-// number of threads.
+// triangles: as remesh_surface leaves them; consumed. The quads have edges half as long, with matching as
+// long as theirs. The result has ConstraintTags and the normals of the surface, and no tombstones. The same
+// on any number of threads.
 [[nodiscard]] Mesh make_surface_quads(Mesh&& triangles, const SurfaceModel& model,
                                       const CurveNetwork& network, const SurfaceQuadOptions& options,
                                       SurfaceQuadReport& report, const Progress& progress);

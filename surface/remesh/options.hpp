@@ -8,6 +8,8 @@
 namespace quarry {
 
 struct RemeshOptions {
+  // Edges of rims are not split, as those where sheets meet never are; fix_rims keeps them from all else.
+  bool keep_rims = false;
   // How many triangles there are to be. 0: as many as are equilateral, with the wanted edges.
   double wanted_faces = 0;
   // Rounds of splits, collapses, flips and moves.

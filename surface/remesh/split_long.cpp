@@ -18,13 +18,16 @@ class SplitLong {
 
   explicit SplitLong(const RemeshState& state) : state_(state), guard_(state.guard()) {}
 
-  // Too long, and the longest of one of its triangles; of equals that with the smaller ends.
+  // Too long, and the longest of one of its triangles, of the edges that may be split; of equals that with
+  // the smaller ends.
   [[nodiscard]] bool wanted(SideId s) const {
     const Mesh& mesh = state_.mesh;
-    if (!(state_.relative_length(mesh.origin(s), mesh.target(s)) > state_.options.longest)) return false;
+    if (!(state_.relative_length(mesh.origin(s), mesh.target(s)) > state_.options.longest) || is_kept(s))
+      return false;
     const double squared = state_.squared_length(mesh.origin(s), mesh.target(s));
     const auto longest_of = [&](SideId side) {
       for (SideId other = mesh.next(side); other != side; other = mesh.next(other)) {
+        if (is_kept(other)) continue;
         const double theirs = state_.squared_length(mesh.origin(other), mesh.target(other));
         if (theirs > squared || (theirs == squared && key(other) < key(side))) return false;
       }
@@ -54,6 +57,13 @@ class SplitLong {
   }
 
  private:
+  [[nodiscard]] bool is_kept(SideId s) const {
+    if (state_.mesh.neighbour(s).valid()) return false;
+    const auto [a, b] = key(s);
+    return state_.options.keep_rims ||
+           !state_.network.may_halve_outer(state_.tags.support[a], state_.tags.support[b],
+                                           0.5 * (state_.point(a) + state_.point(b)));
+  }
   [[nodiscard]] std::pair<VertexId, VertexId> key(SideId s) const {
     return std::minmax(state_.mesh.origin(s), state_.mesh.target(s));
   }

@@ -7,16 +7,10 @@
 
 #include "engine/geometry/vec.hpp"
 #include "engine/mesh/mesh.hpp"
+#include "kernels/quality/space_face.hpp"
 #include "surface/model/surface_model.hpp"
 
 namespace quarry {
-
-// Lo's measure of a triangle in space: 1 if equilateral, 0 if flat. Has no sign.
-[[nodiscard]] inline double lo_measure(Vec3 a, Vec3 b, Vec3 c) {
-  const Vec3 ab = b - a, bc = c - b, ca = a - c;
-  const double squares = dot(ab, ab) + dot(bc, bc) + dot(ca, ca);
-  return squares > 0 ? 3.4641016151377546 * length(cross(ab, bc)) / squares : 0;
-}
 
 [[nodiscard]] inline Vec3 unit_normal(Vec3 a, Vec3 b, Vec3 c) {
   const Vec3 n = cross(b - a, c - a);

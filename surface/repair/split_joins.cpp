@@ -28,8 +28,10 @@ void halve(RepairedSurface& repaired, std::span<const std::uint32_t> sides, std:
   }
 }
 
-// One round: those that share no triangle with one before them. True if there was one too long.
-bool halve_apart(RepairedSurface& repaired, double longest) {
+// One round: of those that are wanted the ones that share no triangle with one before them. True if there was
+// one.
+template <class Wanted>
+bool halve_apart(RepairedSurface& repaired, const Wanted& wanted) {
   const SurfaceEdges edges(repaired.surface);
   std::vector<std::uint8_t> taken(repaired.surface.triangles.size(), 0);
   std::vector<SheetJoin> joins, halved;
@@ -38,10 +40,10 @@ bool halve_apart(RepairedSurface& repaired, double longest) {
     // The triangles of an edge that is still whole are those of the beginning of the round.
     if (std::any_of(sides.begin(), sides.end(), [&](std::uint32_t s) { return taken[s / 3] != 0; })) continue;
     const auto [a, b] = SurfaceEdges::ends(repaired.surface, sides[0]);
-    if (!std::binary_search(repaired.joins.begin(), repaired.joins.end(), join_of(a, b))) continue;
-    if (!(length(repaired.surface.points[b] - repaired.surface.points[a]) > longest)) continue;
+    const SheetJoin join = join_of(a, b);
+    if (!std::binary_search(repaired.joins.begin(), repaired.joins.end(), join) || !wanted(join)) continue;
     for (const std::uint32_t s : sides) taken[s / 3] = 1;
-    halved.push_back(join_of(a, b));
+    halved.push_back(join);
     halve(repaired, sides, joins);
   }
   std::sort(halved.begin(), halved.end());
@@ -55,8 +57,20 @@ bool halve_apart(RepairedSurface& repaired, double longest) {
 }  // namespace
 
 void split_joins(RepairedSurface& repaired, double longest) {
+  const auto too_long = [&](const SheetJoin& join) {
+    return length(repaired.surface.points[join[1]] - repaired.surface.points[join[0]]) > longest;
+  };
   // Each round halves at least the first join that is too long: ends when all are short.
-  while (halve_apart(repaired, longest)) {
+  while (halve_apart(repaired, too_long)) {
+  }
+}
+
+void halve_joins(RepairedSurface& repaired) {
+  const std::vector<SheetJoin> whole = repaired.joins;
+  const auto is_whole = [&](const SheetJoin& join) {
+    return std::binary_search(whole.begin(), whole.end(), join);
+  };
+  while (halve_apart(repaired, is_whole)) {
   }
 }
 

@@ -105,6 +105,29 @@ inline TriangleSurface moebius(std::uint32_t cells) {
   return s;
 }
 
+// A cone of radius 1 and that height, open below: its apex, point 0, and `rings` rings of `sectors` points.
+inline TriangleSurface cone(std::uint32_t sectors, std::uint32_t rings, double height) {
+  TriangleSurface s;
+  s.points.push_back({0, 0, height});
+  for (std::uint32_t ring = 1; ring <= rings; ++ring)
+    for (std::uint32_t i = 0; i < sectors; ++i) {
+      const double r = static_cast<double>(ring) / rings;
+      const double angle = 2 * std::numbers::pi * i / sectors;
+      s.points.push_back({r * std::cos(angle), r * std::sin(angle), (1 - r) * height});
+    }
+  for (std::uint32_t i = 0; i < sectors; ++i) {
+    const std::uint32_t next = (i + 1) % sectors;
+    s.triangles.push_back({0, 1 + i, 1 + next});
+    for (std::uint32_t ring = 1; ring < rings; ++ring) {
+      const std::uint32_t a = 1 + (ring - 1) * sectors + i, b = 1 + (ring - 1) * sectors + next;
+      s.triangles.push_back({a, a + sectors, b + sectors});
+      s.triangles.push_back({a, b + sectors, b});
+    }
+  }
+  s.groups.assign(s.triangles.size(), 0);
+  return s;
+}
+
 // Three squares that share the edge from (0, 0, 0) to (0, 0, 1), each of its own group.
 inline TriangleSurface three_sheets() {
   TriangleSurface s;

@@ -13,40 +13,12 @@
 #include "engine/base/error.hpp"
 #include "io/mesh/mesh_format.hpp"
 #include "kernels/quality/summary.hpp"
-#include "pipeline/surface/finish_surface.hpp"
 #include "pipeline/surface/surface_report.hpp"
-#include "tests/io/mesh/temporary_folder.hpp"
-#include "tests/support/modelled_surface.hpp"
+#include "tests/pipeline/surface/surface_job.hpp"
 #include "tests/support/surface_zoo.hpp"
 
 namespace quarry {
 namespace {
-
-class SurfaceJob : public testing::Test {
- protected:
-  // The surface as a file in OBJ, each group of its own name.
-  std::string file_of(const TriangleSurface& surface, const std::string& name = "surface.obj") {
-    const std::string path = folder_.file(name);
-    std::ofstream file(path);
-    file.precision(17);
-    for (const Vec3 p : surface.points) file << "v " << p.x << " " << p.y << " " << p.z << "\n";
-    for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-      const auto& [a, b, c] = surface.triangles[t];
-      file << "g part_" << surface.groups[t] << "\nf " << a + 1 << " " << b + 1 << " " << c + 1 << "\n";
-    }
-    return path;
-  }
-
-  TemporaryFolder folder_;
-};
-
-SurfaceOptions options_for(const std::string& path, double count, Elements elements = Elements::kQuad) {
-  SurfaceOptions options;
-  options.inputs = {path};
-  options.count = count;
-  options.elements = elements;
-  return options;
-}
 
 TEST_F(SurfaceJob, MeetsTheCountWithinFivePerCent) {
   const std::string path = file_of(test::sphere(5));
@@ -141,6 +113,20 @@ TEST_F(SurfaceJob, MeshesAOneSidedBand) {
   EXPECT_GT(summarize_quality(result.mesh).quads.scaled_jacobian.min, 0);
 }
 
+TEST_F(SurfaceJob, KeepsTheApexOfAConeAndGoodQuadsAroundIt) {
+  for (const auto& [sectors, rings] : {std::pair{64U, 1U}, std::pair{64U, 8U}, std::pair{16U, 1U}}) {
+    SCOPED_TRACE(rings);
+    const SurfaceResult result =
+        mesh_surface(options_for(file_of(test::cone(sectors, rings, 2)), 2000), Progress());
+    const QualitySummary quality = summarize_quality(result.mesh);
+    EXPECT_GT(quality.quads.scaled_jacobian.mean, 0.93);
+    EXPECT_GT(quality.quads.scaled_jacobian.min, 0.1);
+    double height = 0;
+    for (const VertexId v : result.mesh.vertices()) height = std::max(height, result.mesh.point3(v).z);
+    EXPECT_EQ(height, 2.0);
+  }
+}
+
 TEST_F(SurfaceJob, TellsInTheReportWhatWasRepaired) {
   TriangleSurface open = test::sphere(3);
   open.triangles.pop_back();
@@ -212,14 +198,6 @@ TriangleSurface meander(double swing, double waves, double width) {
       band.points[j * (kColumns + 1) + i] = at + Vec3{0, width * j / kRows, 0};
   }
   return band;
-}
-
-// None in a finished mesh.
-std::size_t count_invalid(const SurfaceResult& result) {
-  double area = 0;
-  for (const SurfaceTriangle& t : result.repaired.triangles)
-    area += 0.5 * length(doubled_area(result.repaired, t));
-  return find_invalid_on_surface(result.mesh, test::modelled(result.repaired).model, area).size();
 }
 
 // Elements that are longer than the turns are far apart lie on the wrong ones: then there is no mesh.

@@ -36,6 +36,13 @@ TEST(FeatureEdges, OfASmoothSphereAreNone) {
   EXPECT_TRUE(find_feature_edges(repair_surface(test::sphere(4), {}), {}).edges.empty());
 }
 
+TEST(FeatureEdges, OfPolyhedraWithATriangleForEachFaceAreAllEdges) {
+  const RepairedSurface octahedron = repair_surface(test::sphere(0), {});
+  EXPECT_EQ(find_feature_edges(octahedron, {.size = 0.1}).edges.size(), 12U);
+  const RepairedSurface pyramid = repair_surface(test::cone(4, 1, 1), {});
+  EXPECT_EQ(count(find_feature_edges(pyramid, {.size = 0.1}).edges, FeatureKind::kSharp), 4U);
+}
+
 TEST(FeatureEdges, NameRimsBordersAndJoins) {
   TriangleSurface flat = test::terrain(8, 8, [](double, double) { return 0.0; });
   for (std::size_t t = 0; t < flat.triangles.size(); ++t) flat.groups[t] = t < 64 ? 0 : 1;
@@ -89,6 +96,25 @@ TEST(CurveNetwork, FindsCornersOfARimAtTheScaleOfTheMesh) {
   EXPECT_GT(network_of(repaired, {}).nodes.size(), 50U);
   const CurveNetwork network = network_of(repaired, {.size = 0.1});
   EXPECT_EQ(network.nodes.size(), 4U);
+}
+
+TEST(CurveNetwork, HasANodeAtTheApexOfAConeHoweverItIsCut) {
+  for (const auto& [sectors, rings] : {std::pair{64U, 1U}, std::pair{24U, 6U}, std::pair{48U, 60U}}) {
+    SCOPED_TRACE(rings);
+    const CurveNetwork network = network_of(repair_surface(test::cone(sectors, rings, 2), {}), {.size = 0.1});
+    EXPECT_EQ(network.nodes.size(), 1U);
+    EXPECT_EQ(network.nodes[NodeId(0)], 0U);
+    EXPECT_EQ(network.curves.size(), 1U);  // the rim
+  }
+}
+
+TEST(CurveNetwork, HasNoNodeAtTipsThatAreBluntOrSmallerThanAnElement) {
+  EXPECT_TRUE(network_of(repair_surface(test::cone(64, 1, 0.5), {}), {.size = 0.1}).nodes.empty());
+  EXPECT_TRUE(network_of(repair_surface(test::sphere(4), {}), {.size = 0.1}).nodes.empty());
+  const auto tooth = [](double x, double y) { return std::max(0.0, 0.1 - 3 * std::hypot(x - 0.5, y - 0.5)); };
+  const RepairedSurface plate = repair_surface(test::terrain(60, 60, tooth), {});
+  EXPECT_EQ(network_of(plate, {.size = 0.02}).nodes.size(), 4U + 1U);
+  EXPECT_EQ(network_of(plate, {.size = 0.2}).nodes.size(), 4U);
 }
 
 TEST(CurveNetwork, ProjectsToTheNearestPlaceOfACurve) {

@@ -45,6 +45,17 @@ TEST(SplitJoins, LeavesNoneThatIsTooLong) {
   EXPECT_NEAR(area_of(repaired.surface), 3, 1e-12);
 }
 
+TEST(HalveJoins, HalvesEachOnce) {
+  RepairedSurface repaired = sheets_with_a_join(0.3, 0.1);
+  const double longest = longest_join(repaired);
+  EXPECT_EQ(repaired.joins.size(), 4U);
+  halve_joins(repaired);
+  EXPECT_EQ(repaired.joins.size(), 8U);
+  EXPECT_NEAR(longest_join(repaired), 0.5 * longest, 1e-12);
+  EXPECT_TRUE(std::is_sorted(repaired.joins.begin(), repaired.joins.end()));
+  EXPECT_EQ(validate(make_sheets(repaired), GeometryCheck::kNone), "");
+}
+
 TEST(CoarsenJoins, LengthensAStraightJoinAndKeepsTheSheets) {
   RepairedSurface repaired = sheets_with_a_join(0.02, 0);
   const auto before = static_cast<std::uint64_t>(repaired.joins.size());

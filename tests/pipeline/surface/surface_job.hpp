@@ -1,0 +1,52 @@
+// Jobs on surfaces that tests make themselves.
+#pragma once
+
+#include <cstddef>
+#include <fstream>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "pipeline/surface/finish_surface.hpp"
+#include "pipeline/surface/surface.hpp"
+#include "tests/io/mesh/temporary_folder.hpp"
+#include "tests/support/modelled_surface.hpp"
+
+namespace quarry {
+
+class SurfaceJob : public testing::Test {
+ protected:
+  // The surface as a file in OBJ, each group of its own name.
+  std::string file_of(const TriangleSurface& surface, const std::string& name = "surface.obj") {
+    const std::string path = folder_.file(name);
+    std::ofstream file(path);
+    file.precision(17);
+    for (const Vec3 p : surface.points) file << "v " << p.x << " " << p.y << " " << p.z << "\n";
+    for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+      const auto& [a, b, c] = surface.triangles[t];
+      file << "g part_" << surface.groups[t] << "\nf " << a + 1 << " " << b + 1 << " " << c + 1 << "\n";
+    }
+    return path;
+  }
+
+  TemporaryFolder folder_;
+};
+
+inline SurfaceOptions options_for(const std::string& path, double count,
+                                  Elements elements = Elements::kQuad) {
+  SurfaceOptions options;
+  options.inputs = {path};
+  options.count = count;
+  options.elements = elements;
+  return options;
+}
+
+// None in a finished mesh.
+inline std::size_t count_invalid(const SurfaceResult& result) {
+  double area = 0;
+  for (const SurfaceTriangle& t : result.repaired.triangles)
+    area += 0.5 * length(doubled_area(result.repaired, t));
+  return find_invalid_on_surface(result.mesh, test::modelled(result.repaired).model, area).size();
+}
+
+}  // namespace quarry
