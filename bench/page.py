@@ -13,9 +13,8 @@ not part of this repository: fracture traces of an outcrop within its outline (k
 2,792, from FracPaQ) and a section through a structural model (section_a1: 13 long lines, from OpenGeode-Inspector). The
 size is the wanted edge H: the longer side of the box of the input lines, divided by the number given. Everything else
 is the default, but for `--cleanup none`; [results-quads.md](results-quads.md) has quads with clean-up,
-[results-cleaning.md](results-cleaning.md) cleaning alone beside GEOS, [results-networks.md](results-networks.md)
-networks beside gmsh, and [results-kernels.md](results-kernels.md) kernels alone. SJ is the
-scaled Jacobian of a quad, its smallest corner's; irregular are interior vertices with other than four edges. Times are
+[results-cleaning.md](results-cleaning.md) cleaning alone beside GEOS, and [results-networks.md](results-networks.md)
+networks beside gmsh. SJ is the scaled Jacobian of a quad, its smallest corner's; irregular are interior vertices with other than four edges. Times are
 whole processes, file to file{repeat}.
 
 Machine: {machine}.{load}

@@ -141,7 +141,8 @@ TEST_F(SurfaceJob, ByMatchingIsValidWhereFeaturesAreNarrowerThanAnElement) {
   const SurfaceResult result = mesh_surface(matching_for(file_of(strips), 800), Progress());
   EXPECT_EQ(count_invalid(result), 0U);
   for (const FaceId f : result.mesh.faces()) ASSERT_EQ(result.mesh.corner_count(f), 4);
-  EXPECT_EQ(result.notes.empty(), result.method == SurfaceQuads::kMatching);
+  // What was made in another way is told.
+  EXPECT_TRUE(result.method == SurfaceQuads::kMatching || !result.notes.empty());
 }
 
 // Of each edge in the common line of the sheets, how many faces have it in the file.

@@ -103,7 +103,7 @@ TEST(CurveNetwork, HasANodeAtTheApexOfAConeHoweverItIsCut) {
     SCOPED_TRACE(rings);
     const CurveNetwork network = network_of(repair_surface(test::cone(sectors, rings, 2), {}), {.size = 0.1});
     EXPECT_EQ(network.nodes.size(), 1U);
-    EXPECT_EQ(network.nodes[NodeId(0)], 0U);
+    EXPECT_EQ(network.nodes[NodeId(0U)], 0U);
     EXPECT_EQ(network.curves.size(), 1U);  // the rim
   }
 }
@@ -113,8 +113,8 @@ TEST(CurveNetwork, HasNoNodeAtTipsThatAreBluntOrSmallerThanAnElement) {
   EXPECT_TRUE(network_of(repair_surface(test::sphere(4), {}), {.size = 0.1}).nodes.empty());
   const auto tooth = [](double x, double y) { return std::max(0.0, 0.1 - 3 * std::hypot(x - 0.5, y - 0.5)); };
   const RepairedSurface plate = repair_surface(test::terrain(60, 60, tooth), {});
-  EXPECT_EQ(network_of(plate, {.size = 0.02}).nodes.size(), 4U + 1U);
-  EXPECT_EQ(network_of(plate, {.size = 0.2}).nodes.size(), 4U);
+  EXPECT_EQ(network_of(plate, {.sharp_degrees = 180, .size = 0.02}).nodes.size(), 4U + 1U);
+  EXPECT_EQ(network_of(plate, {.sharp_degrees = 180, .size = 0.2}).nodes.size(), 4U);
 }
 
 TEST(CurveNetwork, ProjectsToTheNearestPlaceOfACurve) {
