@@ -1,6 +1,8 @@
 // What the library finds in the files. Readers of others read whole ones in tests/project/mesh_in_readers.py.
 #include <hdf5.h>
 
+#include <gtest/gtest.h>
+
 #include "engine/base/error.hpp"
 #include "engine/parallel/parallel.hpp"
 #include "io/mesh/mesh_format.hpp"
