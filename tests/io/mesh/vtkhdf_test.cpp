@@ -1,7 +1,6 @@
 // What the library finds in the files. Readers of others read whole ones in tests/project/mesh_in_readers.py.
-#include <hdf5.h>
-
 #include <gtest/gtest.h>
+#include <hdf5.h>
 
 #include "engine/base/error.hpp"
 #include "engine/parallel/parallel.hpp"
