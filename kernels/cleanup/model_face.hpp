@@ -10,17 +10,10 @@
 
 #include "engine/geometry/model.hpp"
 #include "engine/mesh/mesh.hpp"
+#include "engine/mesh/point_of.hpp"
 #include "kernels/quality/space_face.hpp"
 
 namespace quarry {
-
-template <class Point>
-[[nodiscard]] Point point_of(const Mesh& mesh, VertexId v) {
-  if constexpr (std::is_same_v<Point, Vec2>)
-    return mesh.point(v);
-  else
-    return {mesh.point3(v), mesh.normals()[v]};
-}
 
 inline double size_of(double cross_product) { return std::abs(cross_product); }
 inline double size_of(Vec3 cross_product) { return length(cross_product); }

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <limits>
-#include <type_traits>
 
 #include "engine/geometry/predicates.hpp"
+#include "engine/mesh/point_of.hpp"
 #include "kernels/quality/element.hpp"
 #include "kernels/quality/space_face.hpp"
 
@@ -72,17 +72,12 @@ namespace {
 // Calls visit(a, b, c) with the corners of each triangle that splitting the edge of s at p would make.
 template <class Point>
 void for_each_part(const Mesh& mesh, SideId s, Point p, const auto& visit) {
-  const auto point_of = [&](VertexId v) {
-    if constexpr (std::is_same_v<Point, Vec2>)
-      return mesh.point(v);
-    else
-      return mesh.point3(v);
-  };
+  const auto point = [&](VertexId v) { return point_of<Point>(mesh, v); };
   for (const SideId side : {s, mesh.neighbour(s)}) {
     if (!side.valid()) continue;
-    const Point c = point_of(mesh.origin(mesh.previous(side)));
-    visit(point_of(mesh.origin(side)), p, c);
-    visit(p, point_of(mesh.target(side)), c);
+    const Point c = point(mesh.origin(mesh.previous(side)));
+    visit(point(mesh.origin(side)), p, c);
+    visit(p, point(mesh.target(side)), c);
   }
 }
 

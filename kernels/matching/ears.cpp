@@ -79,7 +79,7 @@ class EarOpener {
   }
 
  private:
-  [[nodiscard]] Point point(VertexId v) const { return matching::point_of<Point>(mesh_, v); }
+  [[nodiscard]] Point point(VertexId v) const { return point_of<Point>(mesh_, v); }
 
   // In space a part is flat at most, which its measure tells.
   [[nodiscard]] bool can_split(SideId side, Point x) const {

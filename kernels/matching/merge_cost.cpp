@@ -10,8 +10,6 @@
 namespace quarry {
 namespace {
 
-using matching::point_of;
-
 int in_units(double cost) { return static_cast<int>(std::lround(cost * kCostUnit)); }
 
 std::uint16_t cost_of(double shape, const JoinCostOptions& options) {

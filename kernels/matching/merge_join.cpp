@@ -16,7 +16,6 @@ namespace {
 
 using matching::contains;
 using matching::is_split;
-using matching::point_of;
 
 // Numbers of the quad mesh in closed form. The quad of an arc with smaller side s = a -> b has the corners a,
 // the apex on the right, b, the apex on the left; an apex is the third vertex of a triangle or its Steiner

@@ -159,7 +159,7 @@ class OpenStraightCorner {
   static std::array<Point, 4> corners_of(const Mesh& mesh, FaceId f) {
     std::array<Point, 4> corners;
     for (std::size_t k = 0; k < 4; ++k)
-      corners[k] = matching::point_of<Point>(mesh, mesh.corner(f, static_cast<int>(k)));
+      corners[k] = point_of<Point>(mesh, mesh.corner(f, static_cast<int>(k)));
     return corners;
   }
   static double shape_of(const Mesh& mesh, FaceId f) {
@@ -168,7 +168,7 @@ class OpenStraightCorner {
   }
   static std::array<Point, 6> points_of(const Mesh& mesh, const Hexagon& ring) {
     std::array<Point, 6> points;
-    for (std::size_t i = 0; i < 6; ++i) points[i] = matching::point_of<Point>(mesh, ring[i]);
+    for (std::size_t i = 0; i < 6; ++i) points[i] = point_of<Point>(mesh, ring[i]);
     return points;
   }
 

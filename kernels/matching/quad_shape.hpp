@@ -5,24 +5,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <type_traits>
 
 #include "engine/geometry/predicates.hpp"
 #include "engine/geometry/vec.hpp"
 #include "engine/mesh/mesh.hpp"
+#include "engine/mesh/point_of.hpp"
 #include "engine/mesh/validate.hpp"
 #include "kernels/quality/element.hpp"
 
 namespace quarry::matching {
-
-// Points of the plane, or of space, of one mesh.
-template <class Point>
-[[nodiscard]] Point point_of(const Mesh& mesh, VertexId v) {
-  if constexpr (std::is_same_v<Point, Vec2>)
-    return mesh.point(v);
-  else
-    return mesh.point3(v);
-}
 
 // Calls work(Point()) with the kind of points that the mesh has.
 template <class Work>
