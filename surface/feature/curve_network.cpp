@@ -1,11 +1,11 @@
 #include "surface/feature/curve_network.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 #include "surface/feature/corners.hpp"
 #include "surface/feature/cusps.hpp"
+#include "surface/feature/point_incidence.hpp"
 
 namespace quarry {
 namespace {
@@ -17,17 +17,9 @@ class CurveBuilder {
       : surface_(surface),
         features_(features),
         options_(options),
-        begin_(surface.points.size() + 1, 0),
+        at_(surface.points.size(), features.size(), [&](std::size_t e) { return features[e].ends; }),
         node_(surface.points.size(), 0),
-        seen_(features.size(), 0) {
-    for (const FeatureEdge& feature : features)
-      for (const std::uint32_t p : feature.ends) ++begin_[p + 1];
-    std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
-    at_.resize(2 * features.size());
-    std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
-    for (std::uint32_t e = 0; e < features.size(); ++e)
-      for (const std::uint32_t p : features[e].ends) at_[next[p]++] = e;
-  }
+        seen_(features.size(), 0) {}
 
   CurveNetwork run() {
     find_junctions();
@@ -57,13 +49,10 @@ class CurveBuilder {
     std::int32_t line;
   };
 
-  [[nodiscard]] std::span<const std::uint32_t> around(std::uint32_t p) const {
-    return std::span(at_).subspan(begin_[p], begin_[p + 1] - begin_[p]);
-  }
   // By point, whether it lies on a feature.
   [[nodiscard]] std::vector<std::uint8_t> bound() const {
     std::vector<std::uint8_t> bound(node_.size());
-    for (std::uint32_t p = 0; p < bound.size(); ++p) bound[p] = around(p).empty() ? 0 : 1;
+    for (std::uint32_t p = 0; p < bound.size(); ++p) bound[p] = at_.around(p).empty() ? 0 : 1;
     return bound;
   }
   [[nodiscard]] std::vector<Vec3> points_of(std::span<const std::uint32_t> chain) const {
@@ -74,7 +63,7 @@ class CurveBuilder {
 
   void find_junctions() {
     for (std::uint32_t p = 0; p < node_.size(); ++p) {
-      const auto edges = around(p);
+      const auto edges = at_.around(p);
       if (edges.empty()) continue;
       const auto alike = [&](const FeatureEdge& a, const FeatureEdge& b) {
         return a.kind == b.kind && a.line == b.line;
@@ -91,7 +80,7 @@ class CurveBuilder {
     for (const bool closed : {false, true})
       for (std::uint32_t p = 0; p < node_.size(); ++p)
         if (closed || node_[p] != 0)
-          for (const std::uint32_t e : around(p))
+          for (const std::uint32_t e : at_.around(p))
             if (seen_[e] == 0) result.push_back(follow(p, e));
     return result;
   }
@@ -105,7 +94,7 @@ class CurveBuilder {
       at = ends[0] == at ? ends[1] : ends[0];
       chain.points.push_back(at);
       if (node_[at] != 0 || at == from) return chain;
-      const auto edges = around(at);
+      const auto edges = at_.around(at);
       edge = edges[0] == edge ? edges[1] : edges[0];
     }
   }
@@ -113,7 +102,7 @@ class CurveBuilder {
   const TriangleSurface& surface_;
   std::span<const FeatureEdge> features_;
   const FeatureOptions& options_;
-  std::vector<std::uint32_t> begin_, at_;  // the features at each point
+  PointIncidence at_;  // features
   std::vector<std::uint8_t> node_, seen_;
 };
 

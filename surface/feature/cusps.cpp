@@ -5,10 +5,10 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
-#include <numeric>
 #include <optional>
 
 #include "engine/parallel/parallel.hpp"
+#include "surface/feature/point_incidence.hpp"
 
 namespace quarry {
 namespace {
@@ -45,17 +45,10 @@ class CuspFinder {
       : surface_(surface),
         bound_(bound),
         size_(size),
-        begin_(surface.points.size() + 1, 0),
+        at_(surface.points.size(), surface.triangles.size(),
+            [&](std::size_t t) { return surface.triangles[t]; }),
         points_(surface.points.size()),
-        triangles_(surface.triangles.size()) {
-    for (const SurfaceTriangle& t : surface.triangles)
-      for (const std::uint32_t p : t) ++begin_[p + 1];
-    std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
-    at_.resize(begin_.back());
-    std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
-    for (std::uint32_t t = 0; t < surface.triangles.size(); ++t)
-      for (const std::uint32_t p : surface.triangles[t]) at_[next[p]++] = t;
-  }
+        triangles_(surface.triangles.size()) {}
 
   std::vector<std::uint32_t> run() {
     std::vector<Cusp> found;
@@ -80,16 +73,13 @@ class CuspFinder {
     auto operator<=>(const Cusp&) const = default;
   };
 
-  [[nodiscard]] std::span<const std::uint32_t> around(std::uint32_t p) const {
-    return std::span(at_).subspan(begin_[p], begin_[p + 1] - begin_[p]);
-  }
   [[nodiscard]] Vec3 place(std::uint32_t p) const { return surface_.points[p]; }
 
   [[nodiscard]] bool is_pointed(std::size_t i) const {
     const auto p = static_cast<std::uint32_t>(i);
-    if (bound_[p] != 0 || around(p).empty()) return false;
+    if (bound_[p] != 0 || at_.around(p).empty()) return false;
     double angle = 0;
-    for (const std::uint32_t t : around(p)) {
+    for (const std::uint32_t t : at_.around(p)) {
       const SurfaceTriangle& corners = surface_.triangles[t];
       const auto k = static_cast<std::size_t>(std::find(corners.begin(), corners.end(), p) - corners.begin());
       angle += angle_between(place(corners[(k + 1) % 3]) - place(p), place(corners[(k + 2) % 3]) - place(p));
@@ -118,7 +108,7 @@ class CuspFinder {
     points_.add(middle);
     double turn = 0;
     for (std::size_t i = 0; i < points_.list.size(); ++i)
-      for (const std::uint32_t t : around(points_.list[i])) {
+      for (const std::uint32_t t : at_.around(points_.list[i])) {
         if (!triangles_.add(t)) continue;
         if (triangles_.list.size() > kMostTriangles) return std::nullopt;
         turn += turn_in(surface_.triangles[t], middle, radius);
@@ -159,8 +149,8 @@ class CuspFinder {
   const TriangleSurface& surface_;
   std::span<const std::uint8_t> bound_;
   double size_;
-  std::vector<std::uint32_t> begin_, at_;  // the triangles at each point
-  Visited points_, triangles_;             // by a sphere
+  PointIncidence at_;           // triangles
+  Visited points_, triangles_;  // by a sphere
 };
 
 }  // namespace

@@ -1,7 +1,8 @@
 #include "surface/feature/sharp_chains.hpp"
 
 #include <algorithm>
-#include <numeric>
+
+#include "surface/feature/point_incidence.hpp"
 
 namespace quarry {
 namespace {
@@ -10,15 +11,11 @@ class ChainFilter {
  public:
   ChainFilter(std::span<const Vec3> points, std::span<const SharpEdge> edges,
               std::span<const std::uint8_t> bound)
-      : points_(points), edges_(edges), bound_(bound), alive_(edges.size(), 1), begin_(points.size() + 1, 0) {
-    for (const SharpEdge& edge : edges)
-      for (const std::uint32_t p : edge.ends) ++begin_[p + 1];
-    std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
-    at_.resize(2 * edges.size());
-    std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
-    for (std::uint32_t e = 0; e < edges.size(); ++e)
-      for (const std::uint32_t p : edges[e].ends) at_[next[p]++] = e;
-  }
+      : points_(points),
+        edges_(edges),
+        bound_(bound),
+        alive_(edges.size(), 1),
+        at_(points.size(), edges.size(), [&](std::size_t e) { return edges[e].ends; }) {}
 
   std::vector<std::uint8_t> run(double shortest) {
     cut_loose_ends(0.5 * shortest);
@@ -27,11 +24,8 @@ class ChainFilter {
   }
 
  private:
-  [[nodiscard]] std::span<const std::uint32_t> around(std::uint32_t p) const {
-    return std::span(at_).subspan(begin_[p], begin_[p + 1] - begin_[p]);
-  }
   [[nodiscard]] std::size_t degree(std::uint32_t p) const {
-    const auto edges = around(p);
+    const auto edges = at_.around(p);
     return static_cast<std::size_t>(
         std::count_if(edges.begin(), edges.end(), [&](std::uint32_t e) { return alive_[e] != 0; }));
   }
@@ -44,13 +38,13 @@ class ChainFilter {
 
   // From a loose end to the first point with another number of edges than two.
   void cut_loose_ends(double shortest) {
-    for (std::uint32_t p = 0; p + 1 < begin_.size(); ++p) {
+    for (std::uint32_t p = 0; p < at_.points(); ++p) {
       if (bound_[p] != 0 || degree(p) != 1) continue;
       std::vector<std::uint32_t> chain;
       double sum = 0;
       std::uint32_t at = p;
       do {
-        const auto edges = around(at);
+        const auto edges = at_.around(at);
         const auto next = std::find_if(edges.begin(), edges.end(), [&](std::uint32_t e) {
           return alive_[e] != 0 && (chain.empty() || e != chain.back());
         });
@@ -78,7 +72,7 @@ class ChainFilter {
         strong = strong || edges_[part[i]].strong;
         for (const std::uint32_t p : edges_[part[i]].ends) {
           anchors += bound_[p];
-          for (const std::uint32_t e : around(p)) {
+          for (const std::uint32_t e : at_.around(p)) {
             if (alive_[e] == 0 || seen[e] != 0) continue;
             seen[e] = 1;
             part.push_back(e);
@@ -94,7 +88,7 @@ class ChainFilter {
   std::span<const SharpEdge> edges_;
   std::span<const std::uint8_t> bound_;
   std::vector<std::uint8_t> alive_;
-  std::vector<std::uint32_t> begin_, at_;  // the edges at each point
+  PointIncidence at_;
 };
 
 }  // namespace
