@@ -18,6 +18,14 @@ namespace {
 constexpr std::uint32_t kLines = 1000;
 constexpr double kSize = 2;
 
+// Triangles of a network, cleaned, and which of them are paired; what consumes them makes them anew.
+struct PairedNetwork {
+  CleanedLines cleaned = bench::clean_network(kLines, kSize);
+  Mesh triangles = bench::triangle_mesh(cleaned.lines, kSize);
+  PairingReport report;
+  Pairing pairing = pair_triangles(triangles, ConstraintTags::of(triangles), {}, report, {});
+};
+
 // Argument: threads.
 void pair(benchmark::State& state, PairMeasure measure) {
   const CleanedLines cleaned = bench::clean_network(kLines, kSize);
@@ -44,19 +52,17 @@ BENCHMARK_CAPTURE(pair, by_longest_edge, PairMeasure::kLongestEdge)
 
 // Argument: threads. The mixed mesh is made anew while the clock stands.
 void recut(benchmark::State& state) {
-  const CleanedLines cleaned = bench::clean_network(kLines, kSize);
-  const Mesh triangles = bench::triangle_mesh(cleaned.lines, kSize);
-  PairingReport paired;
-  const Pairing pairing = pair_triangles(triangles, ConstraintTags::of(triangles), {}, paired, {});
+  const PairedNetwork network;
   parallel::with_threads(static_cast<int>(state.range(0)), [&] {
     for (auto _ : state) {
       state.PauseTiming();
-      Mesh mixed = merge_pairs(bench::triangle_mesh(cleaned.lines, kSize), pairing);
+      Mesh mixed = merge_pairs(bench::triangle_mesh(network.cleaned.lines, kSize), network.pairing);
       state.ResumeTiming();
       benchmark::DoNotOptimize(rearrange(mixed, {}, {}));
     }
   });
-  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(triangles.count_alive_faces()));
+  state.SetItemsProcessed(state.iterations() *
+                          static_cast<std::int64_t>(network.triangles.count_alive_faces()));
 }
 BENCHMARK(recut)
     ->ArgsProduct({bench::thread_counts()})
@@ -67,20 +73,19 @@ BENCHMARK(recut)
 
 // Argument: threads. Both steps consume their mesh: it is made anew while the clock stands.
 void merge_and_halve(benchmark::State& state) {
-  const CleanedLines cleaned = bench::clean_network(kLines, kSize);
-  const Mesh triangles = bench::triangle_mesh(cleaned.lines, kSize);
-  PairingReport paired;
-  const Pairing pairing = pair_triangles(triangles, ConstraintTags::of(triangles), {}, paired, {});
+  const PairedNetwork network;
   parallel::with_threads(static_cast<int>(state.range(0)), [&] {
     for (auto _ : state) {
       state.PauseTiming();
-      Mesh mesh = bench::triangle_mesh(cleaned.lines, kSize);
+      Mesh mesh = bench::triangle_mesh(network.cleaned.lines, kSize);
       state.ResumeTiming();
       SubdivideReport report;
-      benchmark::DoNotOptimize(subdivide(merge_pairs(std::move(mesh), pairing), cleaned.lines, report, {}));
+      benchmark::DoNotOptimize(
+          subdivide(merge_pairs(std::move(mesh), network.pairing), network.cleaned.lines, report, {}));
     }
   });
-  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(triangles.count_alive_faces()));
+  state.SetItemsProcessed(state.iterations() *
+                          static_cast<std::int64_t>(network.triangles.count_alive_faces()));
 }
 BENCHMARK(merge_and_halve)
     ->ArgsProduct({bench::thread_counts()})

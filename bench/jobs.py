@@ -72,6 +72,15 @@ def digest(path):
             hashlib.sha256(file.read()).hexdigest()
 
 
+def chosen(parser, text, allowed, kind):
+    """The names in a comma-separated --only; ends the program where one is unknown."""
+    names = [name for name in text.split(",") if name]
+    unknown = set(names) - set(allowed)
+    if unknown:
+        parser.error(f"--only {','.join(sorted(unknown))}: {kind} are {', '.join(allowed)}")
+    return names
+
+
 def load_json(path):
     with open(path) as file:
         return json.load(file)

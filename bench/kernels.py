@@ -20,7 +20,7 @@ import re
 import subprocess
 import tempfile
 
-from jobs import machine_text, run, say, source_commit
+from jobs import chosen, machine_text, run, say, source_commit
 from tables import table, thousands
 
 PAGE = """# Kernels alone
@@ -160,10 +160,7 @@ def parse():
     parser.add_argument("--quick", action="store_true")
     parser.add_argument("--out", default="")
     arguments = parser.parse_args()
-    arguments.only = [name for name in arguments.only.split(",") if name]
-    unknown = set(arguments.only) - set(SOURCES)
-    if unknown:
-        parser.error(f"--only {','.join(sorted(unknown))}: programs are {', '.join(SOURCES)}")
+    arguments.only = chosen(parser, arguments.only, SOURCES, "programs")
     return arguments
 
 

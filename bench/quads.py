@@ -30,7 +30,7 @@ import tempfile
 
 import page
 import quads_page
-from jobs import load_json, machine_text, say, source_commit
+from jobs import chosen, load_json, machine_text, say, source_commit
 from quads_jobs import QuadJobs
 from quads_kernels import measure_disks, measure_matching, measure_shapes
 from quads_maps import measure_improve, measure_maps, measure_network, measure_threads
@@ -52,10 +52,7 @@ def parse():
     parser.add_argument("--keep")
     parser.add_argument("--out", default="docs/results-quads.md")
     arguments = parser.parse_args()
-    arguments.only = [name for name in arguments.only.split(",") if name]
-    unknown = set(arguments.only) - set(SECTIONS)
-    if unknown:
-        parser.error(f"--only {','.join(sorted(unknown))}: sections are {', '.join(SECTIONS)}")
+    arguments.only = chosen(parser, arguments.only, SECTIONS, "sections")
     if not arguments.keep:
         arguments.keep = "out/quads_quick.json" if arguments.quick else "out/quads.json"
     return arguments
