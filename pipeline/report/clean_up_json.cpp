@@ -17,6 +17,9 @@ constexpr std::array<const char*, kPatchRejects> kRejectNames = {
     "no_disk",       "few_sides",       "many_sides", "no_solution_3", "no_solution_4", "no_solution_5",
     "no_solution_6", "number_of_faces", "no_gain",    "double_edge",   "quality"};
 
+// What local operators do once more after the patches.
+constexpr const char* kAtEnd = " at the end";
+
 template <std::size_t kSize>
 Json named(const std::array<const char*, kSize>& names, const std::array<std::uint64_t, kSize>& counts) {
   Json object = Json::object();
@@ -49,6 +52,12 @@ Json patches_json(const PatchReport& report) {
           {"rejected", named(kRejectNames, report.rejected)}};
 }
 
+Json operators_json(const LocalCleanupReport& report) {
+  Json operators = Json::array();
+  for (const LocalOperatorReport& each : report.operators) operators.push_back(operator_json(each));
+  return operators;
+}
+
 std::string class_name(const PatchReport& report) { return "patches of " + std::to_string(report.largest); }
 
 }  // namespace
@@ -60,18 +69,21 @@ std::vector<PassReport> passes_of(const CleanUpReport& report) {
     passes.push_back(each.commits);
     passes.back().name = class_name(each);
   }
+  for (const LocalOperatorReport& each : report.local_at_end.operators) {
+    passes.push_back(each.pass);
+    passes.back().name += kAtEnd;
+  }
   return passes;
 }
 
 Json clean_up_json(const CleanUpReport& report) {
-  Json operators = Json::array();
-  for (const LocalOperatorReport& each : report.local.operators) operators.push_back(operator_json(each));
   Json classes = Json::array();
   for (const PatchReport& each : report.patches) classes.push_back(patches_json(each));
   return {{"irregular_before", report.local.irregular_before},
           {"irregular_after_operators", report.local.irregular_after},
-          {"operators", std::move(operators)},
-          {"patches", std::move(classes)}};
+          {"operators", operators_json(report.local)},
+          {"patches", std::move(classes)},
+          {"operators_at_end", operators_json(report.local_at_end)}};
 }
 
 Json clean_up_times_json(const CleanUpReport& report) {
@@ -82,6 +94,8 @@ Json clean_up_times_json(const CleanUpReport& report) {
   for (const PatchReport& each : report.patches) {
     object[class_name(each)] = {{"search", each.search_seconds}, {"commit", each.commit_seconds}};
   }
+  for (const LocalOperatorReport& each : report.local_at_end.operators)
+    object[each.pass.name + kAtEnd] = each.seconds;
   return object;
 }
 

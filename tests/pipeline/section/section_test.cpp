@@ -196,6 +196,19 @@ std::vector<std::string> passes_with(Elements elements, QuadMethod quads, bool k
   return names;
 }
 
+TEST(SectionQuads, HaveThreeToFiveEdgesAtEveryVertexOffTheLines) {
+  for (const double size : {6.0, 12.0}) {
+    SCOPED_TRACE(size);
+    const SectionResult result = mesh_section(options_for("tests/data/demo_section.geojson", size), {});
+    const std::vector<std::size_t> valences = summarize_quality(result.mesh).valence.free_histogram;
+    for (std::size_t edges = 0; edges < valences.size(); ++edges) {
+      if (edges < 3 || edges > 5) {
+        EXPECT_EQ(valences[edges], 0U) << edges;
+      }
+    }
+  }
+}
+
 TEST(SectionReport, CountsEachPassThatRan) {
   using Names = std::vector<std::string>;
   EXPECT_EQ(passes_with(Elements::kQuad, QuadMethod::kCluster),
