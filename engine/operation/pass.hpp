@@ -105,8 +105,8 @@ class Pass {
  public:
   using Item = typename Operation::Item;
 
-  Pass(Mesh& mesh, const Operation& operation, PassOptions options)
-      : mesh_(mesh), operation_(operation), options_(options), cutoff_(options.cutoff) {}
+  Pass(Mesh& mesh, const Operation& operation, PassOptions options, Claims& claims)
+      : mesh_(mesh), operation_(operation), options_(options), claims_(claims), cutoff_(options.cutoff) {}
 
   PassReport run(std::vector<Item> work, const Progress& progress) {
     pending_ = std::move(work);
@@ -136,7 +136,7 @@ class Pass {
     // With few items left a cut-off would leave rounds empty.
     cutoff_ = window_ < 4 * options_.chunk ? 1 : options_.cutoff;
     round_ = static_cast<std::uint32_t>(report_.rounds++);
-    claims_.grow(mesh_.vertex_slots());
+    claims_.begin_round(mesh_.vertex_slots());
     chunk_count_ = (window_ + options_.chunk - 1) / options_.chunk;
     if (chunks_.size() < chunk_count_) chunks_.resize(chunk_count_);
     parallel::for_each_chunk(window_, options_.chunk, [&](std::size_t begin, std::size_t end) {
@@ -169,7 +169,7 @@ class Pass {
       }
       chunk.records.push_back({position, claim_begin, static_cast<std::uint32_t>(chunk.claims.size()),
                                cavity.new_vertices(), cavity.new_faces(), false, plan});
-      claims_.claim(cavity.claims(), round_, rank);
+      claims_.claim(cavity.claims(), rank);
     }
   }
 
@@ -179,7 +179,7 @@ class Pass {
     std::swap(returned, chunk.waiting);
     auto& lost = chunk.waiting;
     for (auto& record : chunk.records) {
-      record.won = claims_.holds_all(chunk.claims_of(record), round_, rank_of(record.position, round_));
+      record.won = claims_.holds_all(chunk.claims_of(record), rank_of(record.position, round_));
       if (record.won) {
         chunk.new_vertices += record.new_vertices;
         chunk.new_faces += record.new_faces;
@@ -257,20 +257,28 @@ class Pass {
   Mesh& mesh_;
   const Operation& operation_;
   PassOptions options_;
+  Claims& claims_;
   std::uint32_t cutoff_;
   std::uint32_t round_ = 0;
   std::size_t window_ = 0, chunk_count_ = 0, begin_ = 0;
   std::vector<Item> pending_;
   std::vector<Chunk> chunks_;
-  Claims claims_;
   PassReport report_;
 };
 
-// Runs operation on each item of work, and on what follows from it, until nothing is pending.
+// Runs operation on each item of work, and on what follows from it, until nothing is pending. claims: to be
+// kept by who runs many short passes over a mesh, one after the other.
+template <class Operation>
+PassReport run_pass(Mesh& mesh, const Operation& operation, std::vector<typename Operation::Item> work,
+                    PassOptions options, const Progress& progress, Claims& claims) {
+  return Pass<Operation>(mesh, operation, options, claims).run(std::move(work), progress);
+}
+
 template <class Operation>
 PassReport run_pass(Mesh& mesh, const Operation& operation, std::vector<typename Operation::Item> work,
                     PassOptions options, const Progress& progress) {
-  return Pass<Operation>(mesh, operation, options).run(std::move(work), progress);
+  Claims claims;
+  return run_pass(mesh, operation, std::move(work), options, progress, claims);
 }
 
 }  // namespace quarry

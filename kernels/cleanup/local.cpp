@@ -115,7 +115,7 @@ class LocalCleanup {
     PassOptions pass;
     pass.cutoff = 4;
     pass.reverse = options_.reverse;
-    const PassReport done = run_pass(mesh_, operation, std::move(work), pass, progress_);
+    const PassReport done = run_pass(mesh_, operation, std::move(work), pass, progress_, claims_);
 
     if (reports_->size() == at_) reports_->emplace_back().pass.name = Operator::kName;
     LocalOperatorReport& report = (*reports_)[at_++];
@@ -143,6 +143,7 @@ class LocalCleanup {
   const Progress& progress_;
   std::vector<LocalOperatorReport>* reports_ = nullptr;
   std::size_t at_ = 0;
+  Claims claims_;
 #ifndef NDEBUG
   MeshBalance balance_;
 #endif

@@ -37,8 +37,19 @@ void KeySet::clear() {
   count_ = 0;
 }
 
+void KeyParts::insert(std::span<const std::uint64_t> keys) {
+  // Every part reads the list once: cheap beside where its own keys are put.
+  parallel::for_each(
+      parts_.size(),
+      [&](std::size_t part) {
+        for (const std::uint64_t key : keys)
+          if (part_of(key) == part) parts_[part].insert(key);
+      },
+      1);
+}
+
 void PatchMemory::begin_class(Mesh& mesh) {
-  courses_ = KeySet();
+  courses_ = KeyParts();
   signatures_ = mesh.find_tag<FaceId, std::uint64_t>(kSignatureTag);
   if (signatures_.valid()) return;
   signatures_ = mesh.add_tag<FaceId, std::uint64_t>(kSignatureTag, 0);

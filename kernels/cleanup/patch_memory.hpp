@@ -6,6 +6,7 @@
 // a fill depends on. Memory only spares work: what is known to fail would fail again.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -54,6 +55,19 @@ class KeySet {
   std::size_t count_ = 0;
 };
 
+// The same in parts by the first bits of a key, so that many can be put in at once.
+class KeyParts {
+ public:
+  [[nodiscard]] bool contains(std::uint64_t key) const { return parts_[part_of(key)].contains(key); }
+  void insert(std::uint64_t key) { parts_[part_of(key)].insert(key); }
+  void insert(std::span<const std::uint64_t> keys);
+
+ private:
+  static constexpr int kBits = 5;
+  static std::size_t part_of(std::uint64_t key) { return static_cast<std::size_t>(key >> (64 - kBits)); }
+  std::array<KeySet, std::size_t{1} << kBits> parts_;
+};
+
 // What searches found out, as keys.
 struct PatchFailures {
   std::vector<std::uint64_t> stages;   // patches without a fill that gains
@@ -75,8 +89,8 @@ class PatchMemory {
   [[nodiscard]] bool knows_stage(std::uint64_t key) const { return stages_.contains(key); }
   [[nodiscard]] bool knows_course(std::uint64_t key) const { return courses_.contains(key); }
   void learn(const PatchFailures& failures) {
-    for (const std::uint64_t key : failures.stages) stages_.insert(key);
-    for (const std::uint64_t key : failures.courses) courses_.insert(key);
+    stages_.insert(failures.stages);
+    courses_.insert(failures.courses);
   }
   // Patches that were judged not good enough after smoothing.
   [[nodiscard]] bool is_refused(std::uint64_t key) const { return refused_.contains(key); }
@@ -84,7 +98,7 @@ class PatchMemory {
 
  private:
   Tag<FaceId, std::uint64_t> signatures_;
-  KeySet stages_, courses_, refused_;
+  KeyParts stages_, courses_, refused_;
 };
 
 }  // namespace quarry

@@ -117,6 +117,7 @@ class PatchRemesher {
   std::size_t faces_;                 // alive
   double wanted_;                     // faces
   std::vector<PatchProposal> proposals_;
+  Claims claims_;
   ScratchPool<PatchSearch> searches_;
   PatchReport report_;
 #ifndef NDEBUG
@@ -231,7 +232,7 @@ void PatchRemesher<Model>::commit(const Progress& progress, std::vector<std::uin
   pass.cutoff = 1;
   pass.chunk = kCommitChunk;
   pass.reverse = options_.reverse;
-  report_.commits.add(run_pass(mesh_, operation, std::move(work), pass, progress));
+  report_.commits.add(run_pass(mesh_, operation, std::move(work), pass, progress, claims_));
   count_outcomes(operation);
   for (std::uint32_t i = 0; i < proposals_.size(); ++i)
     if (operation.outcome(i) == PatchOutcome::kWon) queue(proposals_[i], again);

@@ -101,6 +101,19 @@ TEST(Pass, LeavesNothingUndoneWhateverTheWindowAndTheCutoff) {
   }
 }
 
+TEST(Pass, IsNotHinderedByClaimsOfPassesBefore) {
+  Claims claims;
+  const auto flip_with = [](Claims& kept) {
+    TrialMesh trial = trial_mesh(60, 7);
+    const FlipToDelaunay operation(trial.tags, false);
+    run_pass(trial.mesh, operation, edges_of(trial.mesh), {}, Progress(), kept);
+    return test::arrays_of(trial.mesh);
+  };
+  const auto first = flip_with(claims);
+  EXPECT_EQ(first, flip_all({}).arrays);
+  EXPECT_EQ(flip_with(claims), first);
+}
+
 TEST(Pass, CountsWhatItDid) {
   const Outcome flips = flip_all({});
   EXPECT_EQ(flips.report.won, flips.applied);

@@ -25,6 +25,16 @@ TEST(KeySet, HoldsWhatWasInsertedAndNothingElse) {
   for (std::uint64_t i = 0; i < 5000; ++i) EXPECT_FALSE(set.contains(mix64(i)));
 }
 
+TEST(KeyParts, HoldsWhatWasInsertedAtOnceAndNothingElse) {
+  KeyParts set;
+  std::vector<std::uint64_t> keys;
+  for (std::uint64_t i = 0; i < 5000; ++i) keys.push_back(mix64(i));
+  set.insert(keys);
+  set.insert(mix64(5000));
+  for (std::uint64_t i = 0; i <= 5000; ++i) EXPECT_TRUE(set.contains(mix64(i)));
+  for (std::uint64_t i = 5001; i < 10000; ++i) EXPECT_FALSE(set.contains(mix64(i)));
+}
+
 TEST(PatchMemory, SignsNewFacesAndTheirNeighboursAnewAndNoOthers) {
   Mesh mesh = test::disk_of_quads(600, 3);
   PatchMemory memory;
