@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "engine/base/error.hpp"
+#include "engine/mesh/pinch.hpp"
 #include "engine/parallel/parallel.hpp"
 #include "engine/parallel/sort.hpp"
 
@@ -13,8 +14,11 @@ namespace quarry {
 
 class MeshBuilder {
  public:
+  // What becomes of edges whose faces do not go on into one another.
+  enum class BadEdges { kRefused, kOpen };
+
   static Mesh make(std::vector<double> x, std::vector<double> y, std::vector<double> z,
-                   std::span<const FaceCorners> faces) {
+                   std::span<const FaceCorners> faces, BadEdges bad) {
     Mesh mesh;
     mesh.x_ = std::move(x);
     mesh.y_ = std::move(y);
@@ -27,8 +31,9 @@ class MeshBuilder {
       check_corners(mesh, faces[f], f);
       std::copy(faces[f].begin(), faces[f].end(), mesh.corners_.begin() + static_cast<std::ptrdiff_t>(4 * f));
     }
-    join_sides(mesh);
+    const std::size_t opened = join_sides(mesh, bad);
     rebuild_sides_of_vertices(mesh);
+    if (opened > 0) separate_sheets(mesh);
     return mesh;
   }
 
@@ -45,8 +50,9 @@ class MeshBuilder {
     }
   }
 
-  // Sorts sides by their two vertices; equal keys are the faces of one edge.
-  static void join_sides(Mesh& mesh) {
+  // Sorts sides by their two vertices; equal keys are the faces of one edge. Returns how many were left open.
+  static std::size_t join_sides(Mesh& mesh, BadEdges bad) {
+    std::size_t opened = 0;
     std::vector<std::uint64_t> keys;
     std::vector<std::uint32_t> sides;
     keys.reserve(mesh.corners_.size());
@@ -62,16 +68,25 @@ class MeshBuilder {
     for (std::size_t i = 0; i < keys.size();) {
       std::size_t end = i + 1;
       while (end < keys.size() && keys[end] == keys[i]) ++end;
-      if (end - i > 2) throw_edge(mesh, SideId(sides[i]), "has three faces or more");
-      if (end - i == 2) {
-        const SideId a(sides[i]);
-        const SideId b(sides[i + 1]);
-        if (mesh.origin(a) == mesh.origin(b)) throw_edge(mesh, a, "is turned the same way by both its faces");
+      const SideId a(sides[i]), b(sides[end - 1]);
+      const bool same_way = end - i == 2 && mesh.origin(a) == mesh.origin(b);
+      if (bad == BadEdges::kRefused && end - i > 2) throw_edge(mesh, a, "has three faces or more");
+      if (bad == BadEdges::kRefused && same_way)
+        throw_edge(mesh, a, "is turned the same way by both its faces");
+      if (end - i > 2 || same_way) {
+        ++opened;
+      } else if (a != b) {
         mesh.set_neighbour(a, b);
         mesh.set_neighbour(b, a);
       }
       i = end;
     }
+    return opened;
+  }
+
+  static void separate_sheets(Mesh& mesh) {
+    auto pinch = mesh.add_tag<VertexId, std::uint8_t>(kPinchTag, 0);
+    for (const auto& [v, twin] : split_fans(mesh)) pinch[v] = pinch[twin] = 1;
   }
 
   [[noreturn]] static void throw_edge(const Mesh& mesh, SideId s, const char* what) {
@@ -83,12 +98,17 @@ class MeshBuilder {
 };
 
 Mesh build_mesh(std::vector<double> x, std::vector<double> y, std::span<const FaceCorners> faces) {
-  return MeshBuilder::make(std::move(x), std::move(y), {}, faces);
+  return MeshBuilder::make(std::move(x), std::move(y), {}, faces, MeshBuilder::BadEdges::kRefused);
 }
 
 Mesh build_mesh(std::vector<double> x, std::vector<double> y, std::vector<double> z,
                 std::span<const FaceCorners> faces) {
-  return MeshBuilder::make(std::move(x), std::move(y), std::move(z), faces);
+  return MeshBuilder::make(std::move(x), std::move(y), std::move(z), faces, MeshBuilder::BadEdges::kRefused);
+}
+
+Mesh build_sheets(std::vector<double> x, std::vector<double> y, std::vector<double> z,
+                  std::span<const FaceCorners> faces) {
+  return MeshBuilder::make(std::move(x), std::move(y), std::move(z), faces, MeshBuilder::BadEdges::kOpen);
 }
 
 void rebuild_sides_of_vertices(Mesh& mesh) {

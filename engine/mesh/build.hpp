@@ -22,6 +22,13 @@ using FaceCorners = std::array<VertexId, 4>;
 [[nodiscard]] Mesh build_mesh(std::vector<double> x, std::vector<double> y, std::vector<double> z,
                               std::span<const FaceCorners> faces);
 
+// The same for a surface whose sheets may meet: where an edge has three faces or more, or two that turn the
+// same way along it (a one-sided band), all of them end there as at a rim. Each fan of faces beyond the first
+// that a point has then gets a vertex of its own, behind all others, and the vertices of such a point have
+// the tag kPinchTag (engine/mesh/pinch.hpp).
+[[nodiscard]] Mesh build_sheets(std::vector<double> x, std::vector<double> y, std::vector<double> z,
+                                std::span<const FaceCorners> faces);
+
 // Sets side_of of every vertex from the corners and neighbours of the faces alive: the most clockwise side at
 // a boundary vertex, else the side of smallest number. Vertices without a face are deleted.
 void rebuild_sides_of_vertices(Mesh& mesh);

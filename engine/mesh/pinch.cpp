@@ -24,20 +24,25 @@ std::vector<std::pair<VertexId, SideId>> first_sides_of_fans(const Mesh& mesh) {
 
 }  // namespace
 
-std::size_t split_pinches(Mesh& mesh, ConstraintTags tags) {
+std::vector<FanTwin> split_fans(Mesh& mesh) {
   const auto fans = first_sides_of_fans(mesh);
-  std::size_t split = 0;
+  std::vector<FanTwin> twins;
   for (std::size_t i = 1; i < fans.size(); ++i) {
     const auto [v, first] = fans[i];
     if (fans[i - 1].first != v) continue;
     const VertexId twin = mesh.grow_vertices(1);
-    mesh.set_point(twin, mesh.point(v));
-    tags.support[twin] = tags.support[v];
+    copy_point(mesh, v, mesh, twin);
     for (SideId s = first; s.valid(); s = mesh.turn_left(s)) mesh.set_corner(s, twin);
     mesh.set_side_of(twin, first);
-    ++split;
+    twins.push_back({v, twin});
   }
-  return split;
+  return twins;
+}
+
+std::size_t split_pinches(Mesh& mesh, ConstraintTags tags) {
+  const std::vector<FanTwin> twins = split_fans(mesh);
+  for (const auto& [v, twin] : twins) tags.support[twin] = tags.support[v];
+  return twins.size();
 }
 
 void mark_pinches(Mesh& mesh, ConstraintTags tags) {

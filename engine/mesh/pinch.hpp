@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "engine/mesh/constraint.hpp"
 #include "engine/mesh/mesh.hpp"
@@ -13,9 +14,16 @@ namespace quarry {
 // The vertex tag (uint8, 1: yes) of vertices that share their point with others and are one point in a file.
 inline constexpr const char* kPinchTag = "pinch";
 
-// Gives each fan beyond the first at a vertex a new vertex with the same point and support. For meshes as
-// remove_outside leaves them, whose side_of sees the fan with the boundary side of smallest number. Returns
-// the number of new vertices.
+struct FanTwin {
+  VertexId vertex, twin;
+};
+
+// Gives each fan beyond the first at a boundary vertex a new vertex with the same point. For meshes whose
+// side_of sees the fan with the boundary side of smallest number, as remove_outside and
+// rebuild_sides_of_vertices leave them.
+std::vector<FanTwin> split_fans(Mesh& mesh);
+
+// The same; the new vertices have the same support as well. Returns their number.
 std::size_t split_pinches(Mesh& mesh, ConstraintTags tags);
 
 // Sets kPinchTag at the boundary vertices that are bound to the same node. Without any, the mesh gets no tag.

@@ -15,7 +15,7 @@ Mesh build(const std::string& path, ReadCells& cells) {
   const bool planar = std::all_of(cells.z.begin(), cells.z.end(), [](double z) { return z == 0; });
   try {
     return planar ? build_mesh(std::move(cells.x), std::move(cells.y), cells.faces)
-                  : build_mesh(std::move(cells.x), std::move(cells.y), std::move(cells.z), cells.faces);
+                  : build_sheets(std::move(cells.x), std::move(cells.y), std::move(cells.z), cells.faces);
   } catch (const Error& error) {
     throw Error(error.kind(), fmt::format("{}: {}", path, error.message()));
   }

@@ -34,8 +34,9 @@ struct ReadCells {
 
 // The mesh with the tags region, constraint and kind, and with those of points, groups and apertures where
 // there are some; planar if all z are 0. Edges that are no side of a face keep their place as long as both
-// ends belong to faces; points without a face and edges to them are left out. Throws Error(kInput) naming the
-// path for edges to points that do not exist, and for what build_mesh refuses.
+// ends belong to faces; points without a face and edges to them are left out. Sheets in space may meet
+// (build_sheets). Throws Error(kInput) naming the path for edges to points that do not exist, and for what
+// build_mesh refuses.
 [[nodiscard]] Mesh make_mesh(const std::string& path, ReadCells cells);
 
 // Turns faces so that any two that share an edge pass it in opposite directions, and each connected part has

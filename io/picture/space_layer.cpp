@@ -3,19 +3,22 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <span>
+#include <utility>
 
 #include "engine/parallel/parallel.hpp"
 #include "io/picture/camera.hpp"
 #include "io/picture/depth_buffer.hpp"
 #include "io/picture/edge_style.hpp"
+#include "io/picture/paint_order.hpp"
 
 namespace quarry {
 namespace {
 
 // How many pixels a line may lie behind what covers it: it lies between the faces beside it.
 constexpr double kLineSlack = 2.5;
+// In pixels: what lies nearer by no more is as near.
+constexpr double kSameDepth = 0.05;
 
 Colour mixed(Colour a, Colour b, double t) {
   return {a.red + t * (b.red - a.red), a.green + t * (b.green - a.green), a.blue + t * (b.blue - a.blue)};
@@ -46,9 +49,8 @@ class SpaceDrawing {
 
   void run() {
     for (const FaceId f : seen_.faces)
-      for (int k = 1; k + 1 < mesh_.corner_count(f); ++k)
-        depth_.add_triangle(
-            {pixel(mesh_.corner(f, 0)), pixel(mesh_.corner(f, k)), pixel(mesh_.corner(f, k + 1))});
+      for_each_triangle(f,
+                        [&](const std::array<Vec3, 3>& corners) { depth_.add_triangle(corners, f.value()); });
     find_order();
     for (const FaceId f : order_) {
       draw_face(f);
@@ -65,37 +67,56 @@ class SpaceDrawing {
     return {q.x, q.y, view_.scale() * p.z};
   }
 
-  // The faces of which something is seen, the farthest first.
+  template <class Visit>
+  void for_each_triangle(FaceId f, Visit&& visit) const {
+    for (int k = 1; k + 1 < mesh_.corner_count(f); ++k)
+      visit({pixel(mesh_.corner(f, 0)), pixel(mesh_.corner(f, k)), pixel(mesh_.corner(f, k + 1))});
+  }
+
+  // The faces of which something is seen, those that others cover first.
   void find_order() {
-    struct Entry {
-      double depth;
-      FaceId face;
-    };
-    std::vector<Entry> entries;
-    for (const FaceId f : seen_.faces) {
-      Vec3 sum;
-      double nearest = -std::numeric_limits<double>::infinity(), farthest = -nearest;
-      const int count = mesh_.corner_count(f);
-      for (int k = 0; k < count; ++k) {
-        const Vec3 p = pixel(mesh_.corner(f, k));
-        sum = sum + p;
-        nearest = std::max(nearest, p.z);
-        farthest = std::min(farthest, p.z);
-      }
-      const Vec3 middle = (1.0 / count) * sum;
-      const double slack = 1 + 0.5 * (nearest - farthest);
-      bool visible = depth_.sees(middle, slack);
-      for (int k = 0; k < count && !visible; ++k)
-        visible = depth_.sees(0.5 * (middle + pixel(mesh_.corner(f, k))), slack);
-      if (visible) entries.push_back({middle.z, f});
-    }
-    std::stable_sort(entries.begin(), entries.end(),
-                     [](const Entry& a, const Entry& b) { return a.depth < b.depth; });
+    std::vector<FaceId> faces;
+    std::vector<double> depths;
     rank_.assign(mesh_.face_slots(), -1);
-    for (const Entry& entry : entries) {
-      rank_[entry.face.value()] = static_cast<std::int64_t>(order_.size());
-      order_.push_back(entry.face);
+    for (const FaceId f : seen_.faces) {
+      const Vec3 middle = middle_of(f);
+      if (!shows(f, middle)) continue;
+      rank_[f.value()] = static_cast<std::int64_t>(faces.size());
+      faces.push_back(f);
+      depths.push_back(middle.z);
     }
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> covered;
+    for (std::uint32_t i = 0; i < faces.size(); ++i)
+      for_each_triangle(faces[i], [&](const std::array<Vec3, 3>& corners) {
+        depth_.for_each_pixel(corners, [&](std::uint32_t nearest, double nearer) {
+          if (nearer <= kSameDepth || nearest == faces[i].value() || rank_[nearest] < 0) return;
+          const std::pair pair(i, static_cast<std::uint32_t>(rank_[nearest]));
+          if (covered.empty() || covered.back() != pair) covered.push_back(pair);
+        });
+      });
+    for (const std::uint32_t i : paint_order(depths, std::move(covered))) {
+      rank_[faces[i].value()] = static_cast<std::int64_t>(order_.size());
+      order_.push_back(faces[i]);
+    }
+  }
+
+  [[nodiscard]] Vec3 middle_of(FaceId f) const {
+    Vec3 sum;
+    const int count = mesh_.corner_count(f);
+    for (int k = 0; k < count; ++k) sum = sum + pixel(mesh_.corner(f, k));
+    return (1.0 / count) * sum;
+  }
+
+  // At one of its pixels; a face smaller than a pixel at its middle.
+  [[nodiscard]] bool shows(FaceId f, Vec3 middle) const {
+    bool covers = false, shows = false;
+    for_each_triangle(f, [&](const std::array<Vec3, 3>& corners) {
+      depth_.for_each_pixel(corners, [&](std::uint32_t, double nearer) {
+        covers = true;
+        shows = shows || nearer <= kSameDepth;
+      });
+    });
+    return covers ? shows : depth_.sees(middle, 1);
   }
 
   [[nodiscard]] Colour colour_of(FaceId f) const {

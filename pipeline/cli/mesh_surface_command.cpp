@@ -148,6 +148,18 @@ void write_job_report(const MeshArguments& arguments, const SurfaceOptions& surf
   write_report(arguments.report, report);
 }
 
+// What the repair did may be the reason, and its surface is where to look.
+void tell_of_failure(const MeshArguments& arguments, const SurfaceOptions& surface, SurfaceResult& result,
+                     const std::string& hash, const Error& error) {
+  if (result.repaired.triangles.empty()) return;
+  if (!arguments.repaired.empty()) write_repaired(arguments.repaired, result);
+  result.mesh = Mesh();
+  const QualitySummary none = summarize_quality(result.mesh);
+  for (const std::string& note : report_surface(surface, result, none).notes) log::info("{}", note);
+  result.notes.push_back("no mesh was made: " + error.message());
+  write_job_report(arguments, surface, result, hash, none);
+}
+
 }  // namespace
 
 bool is_surface(const std::vector<std::string>& inputs) {
@@ -174,7 +186,14 @@ void run_mesh_surface(MeshArguments& arguments) {
   ProgressBar bar(!arguments.common.quiet);
   const Progress progress = bar.progress();
   const std::string hash = hash_files(files);
-  SurfaceResult result = mesh_surface(options, progress);
+  SurfaceResult result;
+  try {
+    mesh_surface(options, result, progress);
+  } catch (const Error& error) {
+    bar.clear();
+    if (error.kind() == ErrorKind::kGeometry) tell_of_failure(arguments, options, result, hash, error);
+    throw;
+  }
   StageClock clock(progress);
   clock.start("measuring");
   const QualitySummary quality = summarize_quality(result.mesh);

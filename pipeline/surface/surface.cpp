@@ -1,5 +1,6 @@
 #include "pipeline/surface/surface.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -16,6 +17,7 @@
 #include "surface/feature/bind.hpp"
 #include "surface/model/surface_model.hpp"
 #include "surface/repair/coarsen_joins.hpp"
+#include "surface/repair/cracks.hpp"
 #include "surface/repair/sheets.hpp"
 #include "surface/repair/split_joins.hpp"
 
@@ -37,6 +39,12 @@ constexpr double kImprintReach = 1;
 // Of the points of the surface that elements have to come near to, in sizes.
 constexpr double kPointSpacing = 0.5;
 
+// With --count: how often a mesh is made with another size, by how much that changes at once, and what is
+// near enough.
+constexpr int kMostRounds = 3;
+constexpr double kMostScale = 1.4;
+constexpr double kCountTolerance = 0.05;
+
 // How often a job is done with ever smaller elements where some were invalid. With more of them than that it
 // is no matter of single places.
 constexpr int kMostAttempts = 7;
@@ -44,27 +52,75 @@ constexpr std::size_t kMostInvalid = 24;
 
 class SurfaceJob {
  public:
-  SurfaceJob(const SurfaceOptions& options, const Progress& progress)
-      : options_(options), progress_(progress), clock_(progress) {}
+  SurfaceJob(const SurfaceOptions& options, SurfaceResult& result, const Progress& progress)
+      : options_(options), progress_(progress), clock_(progress), result_(result) {}
 
-  SurfaceResult run() {
+  void run() {
     clock_.start("reading");
     TriangleSurface surface = read_surface(options_.inputs, result_.names);
     clock_.start("repairing");
     RepairedSurface repaired = repair_surface(std::move(surface), options_.repair);
-    find_size(repaired.surface);
     result_.repaired = repaired.surface;
-    choose_method(repaired);
-    if (result_.method == SurfaceQuads::kCluster || !follow_wish(repaired)) mesh_validly(repaired);
+    result_.repair = repaired.report;
+    if (options_.repair.weld == 0) note_cracks();
+    find_size(repaired.surface);
+    meet_count(repaired);
     if (const auto note = count_note(options_.count, result_.mesh, "features and details"))
       result_.notes.push_back(*note);
-    result_.repair = std::move(repaired.report);
     clock_.stop();
     result_.times = clock_.times();
-    return std::move(result_);
   }
 
  private:
+  // Elements along features, rims and details take up another area than that of their size: with a wanted
+  // count the size is mended, and the mesh that comes nearest is kept.
+  void meet_count(const RepairedSurface& repaired) {
+    const std::vector<std::string> notes = result_.notes;
+    const auto miss = [&] {
+      return std::abs(static_cast<double>(result_.mesh.count_alive_faces()) / *options_.count - 1);
+    };
+    mesh_by_method(repaired);
+    for (int round = 1; options_.count && round < kMostRounds && miss() > kCountTolerance; ++round) {
+      const double before = miss();
+      const double ratio = static_cast<double>(result_.mesh.count_alive_faces()) / *options_.count;
+      SurfaceResult last = std::exchange(result_, {});
+      result_.names = last.names;
+      result_.repaired = last.repaired;
+      result_.repair = last.repair;
+      result_.notes = notes;
+      result_.size = last.size * std::clamp(std::sqrt(ratio), 1 / kMostScale, kMostScale);
+      try {
+        mesh_by_method(repaired);
+      } catch (const Error& error) {
+        if (error.kind() != ErrorKind::kGeometry) throw;
+        result_ = std::move(last);
+        return;
+      }
+      if (miss() < before) continue;
+      result_ = std::move(last);
+      return;
+    }
+  }
+
+  void mesh_by_method(const RepairedSurface& repaired) {
+    choose_method(repaired);
+    if (result_.method == SurfaceQuads::kCluster || !follow_wish(repaired)) mesh_validly(repaired);
+    if (limited_.share > 0)
+      result_.notes.push_back(fmt::format(
+          "elements are smaller than wanted on {:.2g} % of the surface, down to {:.3g} at ({:.9g}, {:.9g}, "
+          "{:.9g}): details, walls or gaps ask for it",
+          100 * limited_.share, limited_.smallest, limited_.place.x, limited_.place.y, limited_.place.z));
+  }
+
+  void note_cracks() {
+    const Cracks cracks = find_cracks(result_.repaired);
+    if (!cracks.likely()) return;
+    result_.notes.push_back(
+        fmt::format("{} of {} points on rims lie within {:.3g} of another one: if these are cracks, --weld "
+                    "{:.3g} closes them",
+                    cracks.near_others, cracks.rim_points, cracks.distance, cracks.distance));
+  }
+
   // False, with a note why, if quads have to be made as clusters, as if nothing else had been tried.
   bool follow_wish(const RepairedSurface& repaired) {
     try {
@@ -143,6 +199,8 @@ class SurfaceJob {
     SizeDemands demands{.edge = edge, .size = result_.size, .area = area_, .tight = tight_};
     demands.most_lenient /= strictness_;
     const SurfaceSizes sizes = find_surface_sizes(elements, options_, demands, progress_);
+    limited_ = sizes.limited();
+    limited_.smallest *= result_.size / edge;
     if (!make_elements({model, network, sizes, area_}, options_, result_, clock_, progress_)) return false;
     clock_.start("finishing");
     find_invalid(model, sizes);
@@ -235,7 +293,8 @@ class SurfaceJob {
   // where they came out invalid.
   double strictness_ = 1;
   std::vector<TightPlace> tight_, invalid_;
-  SurfaceResult result_;
+  SurfaceSizes::Limited limited_;
+  SurfaceResult& result_;
 };
 
 }  // namespace
@@ -245,8 +304,14 @@ const char* name_of(SurfaceQuads method) {
   return method == SurfaceQuads::kField ? "field" : "cluster";
 }
 
+void mesh_surface(const SurfaceOptions& options, SurfaceResult& result, const Progress& progress) {
+  SurfaceJob(options, result, progress).run();
+}
+
 SurfaceResult mesh_surface(const SurfaceOptions& options, const Progress& progress) {
-  return SurfaceJob(options, progress).run();
+  SurfaceResult result;
+  mesh_surface(options, result, progress);
+  return result;
 }
 
 }  // namespace quarry

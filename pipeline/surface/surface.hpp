@@ -84,7 +84,10 @@ struct SurfaceResult {
   std::vector<StageTime> times;
 };
 
-// Throws Error: see the kinds in engine/base/error.hpp and docs/contract.md.
+// Throws Error: see the kinds in engine/base/error.hpp and docs/contract.md. Into the result goes what is
+// found, step by step: after an error it holds what was known by then (the repaired surface and what was
+// repaired).
+void mesh_surface(const SurfaceOptions& options, SurfaceResult& result, const Progress& progress);
 [[nodiscard]] SurfaceResult mesh_surface(const SurfaceOptions& options, const Progress& progress);
 
 }  // namespace quarry

@@ -1,6 +1,7 @@
 #include "surface/repair/repair.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include <fmt/format.h>
@@ -17,6 +18,10 @@
 namespace quarry {
 namespace {
 
+// A triangle that is no higher than this share of its longest edge has no extent: single precision gives no
+// less.
+constexpr double kFlat = 1e-6;
+
 class Repair {
  public:
   Repair(TriangleSurface surface, const RepairOptions& options)
@@ -28,6 +33,7 @@ class Repair {
     drop(degenerate(), report_.degenerate);
     drop(duplicates(), report_.duplicate);
     if (surface_.triangles.empty()) throw Error(ErrorKind::kInput, "the surface has no triangle");
+    drop(hanging(), report_.hanging);
     drop_unused_points();
     turn();
     if (options_.fill_holes > 0) fill();
@@ -86,6 +92,31 @@ class Repair {
     for (std::size_t i = 1; i < order.size(); ++i)
       for (std::size_t j = i; j > 0 && keys[j - 1] == keys[i]; --j)
         if (corners[order[j - 1]] == corners[order[i]]) bad[order[i]] = 1;
+    return bad;
+  }
+
+  // Triangles without extent beside their longest edge, which two others have, while nothing else has the
+  // edges that lie upon it: what cutting programs leave behind. They would make the edge one in which sheets
+  // meet.
+  [[nodiscard]] std::vector<std::uint8_t> hanging() const {
+    const SurfaceEdges edges(surface_);
+    std::vector<std::uint8_t> bad(surface_.triangles.size(), 0);
+    parallel::for_each(bad.size(), [&](std::size_t i) {
+      const SurfaceTriangle& t = surface_.triangles[i];
+      std::array<double, 3> lengths;
+      std::array<std::size_t, 3> uses;
+      for (std::size_t k = 0; k < 3; ++k) {
+        lengths[k] = length(surface_.points[t[(k + 1) % 3]] - surface_.points[t[k]]);
+        uses[k] = edges.sides(edges.of_side(static_cast<std::uint32_t>(3 * i + k))).size();
+      }
+      const auto longest =
+          static_cast<std::size_t>(std::max_element(lengths.begin(), lengths.end()) - lengths.begin());
+      const double height = length(doubled_area(surface_, t)) / lengths[longest];
+      bad[i] = height <= kFlat * lengths[longest] && uses[longest] >= 3 && uses[(longest + 1) % 3] == 1 &&
+                       uses[(longest + 2) % 3] == 1
+                   ? 1
+                   : 0;
+    });
     return bad;
   }
 

@@ -38,6 +38,7 @@ struct RepairReport {
   RepairCount unused;        // points without a triangle, left out
   RepairCount degenerate;    // triangles of fewer than three points, left out
   RepairCount duplicate;     // triangles that were there already, left out
+  RepairCount hanging;       // flat triangles that hang on an edge of two others, left out
   RepairCount turned;        // triangles
   RepairCount filled_holes;  // holes
   // What was found and left.

@@ -70,20 +70,40 @@ double SurfaceSizes::tightest(Vec3 place) const {
   return size;
 }
 
+double SurfaceSizes::area_of(std::size_t triangle) const {
+  const auto& [a, b, c] = triangles_[triangle];
+  return 0.5 * length(cross(points_[b] - points_[a], points_[c] - points_[a]));
+}
+
+SurfaceSizes::Limited SurfaceSizes::limited() const {
+  Limited result{.smallest = edge_, .place = {}};
+  double all = 0;
+  for (std::size_t i = 0; i < triangles_.size(); ++i) {
+    const double area = area_of(i);
+    all += area;
+    for (const std::uint32_t corner : triangles_[i]) {
+      const double size = at_point(corner);
+      if (size < edge_) result.share += area / 3;
+      if (size < result.smallest) result.place = points_[corner];
+      result.smallest = std::min(result.smallest, size);
+    }
+  }
+  if (all > 0) result.share /= all;
+  return result;
+}
+
 double SurfaceSizes::squares() const {
   return parallel::reduce_ordered(
       triangles_.size(), 0.0,
       [&](std::size_t begin, std::size_t end) {
         double sum = 0;
         for (std::size_t i = begin; i < end; ++i) {
-          const auto& [a, b, c] = triangles_[i];
-          const double area = 0.5 * length(cross(points_[b] - points_[a], points_[c] - points_[a]));
           double inverse = 0;
           for (const std::uint32_t corner : triangles_[i]) {
             const double size = at_point(corner);
             inverse += 1 / (3 * size * size);
           }
-          sum += area * inverse;
+          sum += area_of(i) * inverse;
         }
         return sum;
       },

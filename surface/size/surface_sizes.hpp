@@ -45,11 +45,18 @@ class SurfaceSizes {
     for (TightPlace& tight : result.tight_) tight.edge *= factor;
     return result;
   }
+  // Where something asks for less than the edge: the share of the area, and the smallest size and its place.
+  struct Limited {
+    double share = 0, smallest = 0;
+    Vec3 place;
+  };
+  [[nodiscard]] Limited limited() const;
   // The sum of area / edge^2 over the surface, by the sizes at the corners: about how many squares of the
   // wanted edges have room on it. Not for uniform ones, which know no area.
   [[nodiscard]] double squares() const;
 
  private:
+  [[nodiscard]] double area_of(std::size_t triangle) const;
   // The least that tight places allow there, and the edge.
   [[nodiscard]] double tightest(Vec3 place) const;
   // At a corner of the triangles.

@@ -1,10 +1,14 @@
 #include "engine/mesh/build.hpp"
 
+#include <cmath>
+#include <cstdint>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "engine/base/error.hpp"
+#include "engine/mesh/pinch.hpp"
 #include "engine/mesh/validate.hpp"
 #include "tests/support/charge.hpp"
 #include "tests/support/mesh_zoo.hpp"
@@ -32,6 +36,57 @@ TEST(BuildMesh, RefusesThreeFacesAtAnEdgeAndNamesThePlace) {
 
 TEST(BuildMesh, RefusesFacesThatTurnTheSameWayAlongAnEdge) {
   expect_refused({{0, 0}, {1, 0}, {0, 1}, {0, -1}}, {{0, 1, 2}, {0, 1, 3}}, "turned the same way");
+}
+
+TEST(BuildSheets, EndsThreeSheetsWhereTheyMeet) {
+  // Three quads around an edge, and a fourth face beside one of them.
+  const std::vector<FaceCorners> faces = {{VertexId(0U), VertexId(1U), VertexId(2U), VertexId(3U)},
+                                          {VertexId(1U), VertexId(0U), VertexId(4U), VertexId(5U)},
+                                          {VertexId(0U), VertexId(1U), VertexId(6U), VertexId(7U)},
+                                          {VertexId(1U), VertexId(5U), VertexId(8U), VertexId()}};
+  const Mesh mesh = build_sheets({0, 1, 1, 0, 0, 1, 1, 0, 2}, {0, 0, 1, 1, -1, -1, 0, 0, 0},
+                                 {0, 0, 0, 0, 0, 0, 1, 1, 0}, faces);
+  EXPECT_EQ(mesh.vertex_slots(), 13U);
+  EXPECT_EQ(validate(mesh, GeometryCheck::kNone), "");
+  const auto pinch = mesh.find_tag<VertexId, std::uint8_t>(kPinchTag);
+  std::size_t pinched = 0;
+  for (const VertexId v : mesh.vertices()) {
+    pinched += pinch[v];
+    EXPECT_EQ(pinch[v] != 0, v.value() < 2 || v.value() > 8);
+    if (v.value() > 8) {
+      EXPECT_EQ(mesh.point3(v).y, 0);
+    }
+  }
+  EXPECT_EQ(pinched, 6U);
+  EXPECT_EQ(mesh.neighbour(SideId(FaceId(1U), 3)), SideId(FaceId(3U), 0));
+}
+
+TEST(BuildSheets, CutsAOneSidedBandOpenOnce) {
+  // Five quads in a ring, the last one turned over.
+  std::vector<double> x, y, z;
+  for (int i = 0; i < 5; ++i)
+    for (const double side : {-1.0, 1.0}) {
+      x.push_back(std::cos(1.256 * i) * (3 + 0.5 * side));
+      y.push_back(std::sin(1.256 * i) * (3 + 0.5 * side));
+      z.push_back(side * i);
+    }
+  const auto corner = [](std::uint32_t i, std::uint32_t k) { return VertexId(2 * i + k); };
+  std::vector<FaceCorners> faces;
+  for (std::uint32_t i = 0; i < 4; ++i)
+    faces.push_back({corner(i, 0), corner(i, 1), corner(i + 1, 1), corner(i + 1, 0)});
+  faces.push_back({corner(4, 0), corner(4, 1), corner(0, 0), corner(0, 1)});
+  const Mesh mesh = build_sheets(x, y, z, faces);
+  EXPECT_EQ(mesh.vertex_slots(), 12U);
+  EXPECT_EQ(validate(mesh, GeometryCheck::kNone), "");
+}
+
+TEST(BuildSheets, LeavesASurfaceWithoutThemAsItIs) {
+  const Mesh mesh =
+      build_sheets({0, 1, 0, 1}, {0, 0, 1, 1}, {0, 0, 0, 1},
+                   std::vector<FaceCorners>{{VertexId(0U), VertexId(1U), VertexId(2U), VertexId()},
+                                            {VertexId(1U), VertexId(3U), VertexId(2U), VertexId()}});
+  EXPECT_EQ(mesh.vertex_slots(), 4U);
+  EXPECT_FALSE((mesh.find_tag<VertexId, std::uint8_t>(kPinchTag).valid()));
 }
 
 TEST(BuildMesh, RefusesAFaceThatRepeatsACorner) {

@@ -70,9 +70,22 @@ TEST(ObjReader, RefusesFacesOfFiveCorners) {
   expect_read_error("a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 2 0\nf 1 2 3 4 5\n",
                     "a.obj:6: a face has more than 4 corners");
 }
-TEST(ObjReader, NamesAnEdgeOfThreeFaces) {
-  expect_read_error("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 -1 0\nv 1 1 1\nf 1 2 3\nf 2 1 4\nf 1 2 5\n",
+TEST(ObjReader, NamesAnEdgeOfThreeFacesInThePlane) {
+  expect_read_error("a.obj", "v 0 0\nv 1 0\nv 0 1\nv 0 -1\nv 1 1\nf 1 2 3\nf 2 1 4\nf 1 2 5\n",
                     "has three faces");
+}
+
+TEST(ObjReader, EndsSheetsWhereThreeMeetInSpaceAndWritesTheirPointsOnce) {
+  const TemporaryFolder folder;
+  const Mesh mesh = read_mesh(folder.file(
+      "a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 -1 0\nv 1 1 1\nf 1 2 3\nf 2 1 4\nf 1 2 5\nl 1 2\n"));
+  EXPECT_EQ(mesh.count_alive_vertices(), 9U);
+  EXPECT_EQ(mesh.edge_slots(), 1U);
+  write_mesh(folder.file("b.obj"), mesh, {});
+  const ReadCells cells = read_cells(folder.file("b.obj"));
+  EXPECT_EQ(cells.x.size(), 5U);
+  EXPECT_EQ(cells.faces.size(), 3U);
+  EXPECT_EQ(cells.edges.size(), 1U);
 }
 
 }  // namespace

@@ -1,3 +1,5 @@
+#include <array>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -7,6 +9,7 @@
 #include "engine/mesh/build.hpp"
 #include "io/picture/camera.hpp"
 #include "io/picture/colour.hpp"
+#include "io/picture/paint_order.hpp"
 #include "io/picture/picture.hpp"
 #include "tests/io/mesh/temporary_folder.hpp"
 #include "tests/io/picture/pixels.hpp"
@@ -114,6 +117,37 @@ TEST_F(SpacePicture, LeavesHiddenFacesOutOfADrawing) {
   }
   write_picture(folder_.file("one.svg"), mesh, options);
   EXPECT_LT(file_content(folder_.file("one.svg")).size(), file_content(folder_.file("all.svg")).size());
+}
+
+TEST_F(SpacePicture, PaintsWhatIsLeftOfFacesThatAreMostlyHidden) {
+  // Of the lower squares a frame is left whose middle and corners do not show.
+  Mesh mesh = two_levels();
+  const std::array<Vec2, 4> corners = {Vec2{0.1, -1}, {3.9, -1}, {3.9, 5}, {0.1, 5}};
+  for (std::size_t i = 0; i < 4; ++i) mesh.set_point3(VertexId(6 + i), {corners[i].x, corners[i].y, 1});
+  const Pixels pixels = drawn({.view = kFromAbove}, mesh);
+  EXPECT_NEAR(hue(pixels.at(40 + 19, 900)), hue(region_colour(0)), 0.01);
+  EXPECT_NEAR(hue(pixels.at(40 + 760, 900)), hue(region_colour(1)), 0.01);
+}
+
+TEST_F(SpacePicture, PaintsTheNearerOfTwoFacesLastThoughItsMiddleIsFarther) {
+  // A square that leans back far behind the other ones lies above them where they are.
+  Mesh mesh = two_levels();
+  for (std::size_t i = 6; i < 10; ++i) {
+    const Vec3 p = mesh.point3(VertexId(i));
+    mesh.set_point3(VertexId(i), {p.x, p.y < 2 ? 3.0 : 8.0, p.y < 2 ? 1.0 : -3.5});
+  }
+  const Pixels pixels = drawn({.view = kFromAbove}, mesh);
+  EXPECT_NEAR(hue(pixels.at(800, 1350)), hue(region_colour(1)), 0.01);
+}
+
+TEST(PaintOrder, PutsWhatIsCoveredFirstAndElseGoesByDepth) {
+  EXPECT_EQ(paint_order({3, 1, 2}, {}), (std::vector<std::uint32_t>{1, 2, 0}));
+  EXPECT_EQ(paint_order({3, 1, 2}, {{0, 1}, {0, 1}}), (std::vector<std::uint32_t>{2, 0, 1}));
+}
+
+TEST(PaintOrder, EndsWhereShapesCoverOneAnotherInTurn) {
+  EXPECT_EQ(paint_order({3, 1, 2, 0}, {{0, 1}, {1, 2}, {2, 0}, {2, 3}}),
+            (std::vector<std::uint32_t>{3, 1, 2, 0}));
 }
 
 TEST_F(SpacePicture, HasTheSameBytesEachTime) {

@@ -152,6 +152,19 @@ TEST(Outputs, ABrokenMeshIsToldWithItsFile) {
   expect_failure({"convert", folder.write("broken.obj", "f 1 2 9\n"), folder / "out.vtu"}, 3, "broken.obj");
 }
 
+TEST(Outputs, OfASurfaceThatCannotBeMeshedAreTheReportAndTheRepairedSurface) {
+  const TestFolder folder;
+  const std::string flat = folder.write("flat.obj", "v 0 0 0\nv 1 1 1\nv 2 2 2\nv 5 5 5\nf 1 2 3\nf 1 2 3\n");
+  EXPECT_EQ(run_quarry({"mesh", flat, "-o", folder / "out.vtu", "--count", "9", "--report",
+                        folder / "report.json", "--repaired", folder / "repaired.obj"})
+                .exit_code,
+            4);
+  EXPECT_EQ(folder.names(), (std::vector<std::string>{"flat.obj", "repaired.obj", "report.json"}));
+  const nlohmann::json report = nlohmann::json::parse(read_text(folder / "report.json"));
+  EXPECT_EQ(report["counts"]["duplicate_triangles"], 1);
+  EXPECT_NE(report["notes"].dump().find("no mesh was made: the surface has no area"), std::string::npos);
+}
+
 // Two squares that share a corner, and a hole that meets the rim of its square in one point.
 constexpr const char* kTouching =
     R"({"type": "MultiPolygon", "coordinates": [[[[0, 0], [10, 0], [10, 10], [0, 10], [0, 0]],

@@ -1,11 +1,13 @@
 #include "pipeline/surface/surface.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <fstream>
 #include <set>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -107,10 +109,67 @@ TEST_F(SurfaceJob, WritesPointsInWhichSheetsMeetOnce) {
   EXPECT_LT(points.size(), result.mesh.count_alive_vertices());
 }
 
-TEST_F(SurfaceJob, MeshesAOneSidedBand) {
-  const SurfaceResult result = mesh_surface(options_for(file_of(test::moebius(60)), 1500), Progress());
-  EXPECT_GT(result.repair.seams.count, 0U);
-  EXPECT_GT(summarize_quality(result.mesh).quads.scaled_jacobian.min, 0);
+// Of the file: points at one place are one.
+int euler_characteristic(const ReadCells& cells) {
+  std::set<std::pair<VertexId, VertexId>> edges;
+  for (const FaceCorners& face : cells.faces)
+    for (std::size_t k = 0; k < 4; ++k) edges.insert(std::minmax(face[k], face[(k + 1) % 4]));
+  return static_cast<int>(cells.x.size()) - static_cast<int>(edges.size()) +
+         static_cast<int>(cells.faces.size());
+}
+
+TEST_F(SurfaceJob, MeshesAOneSidedBandWithoutAGapAtItsSeam) {
+  for (const double count : {500.0, 1500.0, 3000.0}) {
+    SCOPED_TRACE(count);
+    const SurfaceResult result = mesh_surface(options_for(file_of(test::moebius(60)), count), Progress());
+    EXPECT_GT(result.repair.seams.count, 0U);
+    EXPECT_GT(summarize_quality(result.mesh).quads.scaled_jacobian.min, 0);
+    const std::string path = folder_.file("band.obj");
+    write_mesh(path, result.mesh, {});
+    EXPECT_EQ(euler_characteristic(read_cells(path)), 0);
+    EXPECT_EQ(summarize_quality(read_mesh(path)).quads.faces, result.mesh.count_alive_faces());
+  }
+}
+
+TEST_F(SurfaceJob, MendsTheSizeWhereTheFirstOneMissesTheCount) {
+  // With one round 440 and 6,636.
+  const std::string path = file_of(test::sphere(5));
+  for (const auto& [elements, count] : {std::pair{Elements::kQuad, 500.0}, {Elements::kTriangle, 7000.0}}) {
+    const SurfaceResult result = mesh_surface(options_for(path, count, elements), Progress());
+    EXPECT_NEAR(static_cast<double>(result.mesh.count_alive_faces()), count, 0.05 * count);
+  }
+}
+
+bool notes_mention(const SurfaceResult& result, const std::string& words) {
+  return std::any_of(result.notes.begin(), result.notes.end(),
+                     [&](const std::string& note) { return note.find(words) != std::string::npos; });
+}
+
+TEST_F(SurfaceJob, TellsOfCracksThatWeldingWouldClose) {
+  // Each triangle with points of its own, rounded apart.
+  const TriangleSurface whole = test::sphere(3);
+  TriangleSurface cracked;
+  for (const SurfaceTriangle& t : whole.triangles) {
+    const auto base = static_cast<std::uint32_t>(cracked.points.size());
+    for (const std::uint32_t p : t) cracked.points.push_back((1 + 1e-6 * (base % 7)) * whole.points[p]);
+    cracked.triangles.push_back({base, base + 1, base + 2});
+  }
+  cracked.groups.assign(cracked.triangles.size(), 0);
+  EXPECT_TRUE(notes_mention(mesh_surface(options_for(file_of(cracked), 2000), Progress()), "--weld"));
+  const auto bump = [](double x, double y) { return x * y; };
+  EXPECT_FALSE(notes_mention(
+      mesh_surface(options_for(file_of(test::terrain(9, 9, bump), "terrain.obj"), 200), Progress()),
+      "--weld"));
+}
+
+TEST_F(SurfaceJob, TellsWhereElementsAreSmallerThanWantedAndWhy) {
+  TriangleSurface plate = test::sphere(5);
+  for (Vec3& p : plate.points) p.z *= 0.1;
+  EXPECT_TRUE(notes_mention(mesh_surface(options_for(file_of(plate), 800), Progress()),
+                            "elements are smaller than wanted on"));
+  EXPECT_FALSE(
+      notes_mention(mesh_surface(options_for(file_of(test::sphere(5), "ball.obj"), 2000), Progress()),
+                    "elements are smaller than wanted on"));
 }
 
 TEST_F(SurfaceJob, KeepsTheApexOfAConeAndGoodQuadsAroundIt) {

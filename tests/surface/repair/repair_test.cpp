@@ -50,6 +50,24 @@ TEST(Repair, WeldsNearPointsWithinTheDistanceOnly) {
   EXPECT_EQ(repair_surface(loose, {.weld = 1e-5}).surface.points.size(), 8U);
 }
 
+TEST(Repair, DropsFlatTrianglesThatHangOnAnEdgeAndKeepsThoseThatFillATJunction) {
+  TriangleSurface hanging = test::cube();
+  hanging.points.push_back(
+      0.5 * (hanging.points[hanging.triangles[0][0]] + hanging.points[hanging.triangles[0][1]]));
+  hanging.triangles.push_back({hanging.triangles[0][0], 8, hanging.triangles[0][1]});
+  hanging.groups.assign(hanging.triangles.size(), 0);
+  const RepairedSurface repaired = repair_surface(hanging, {});
+  EXPECT_EQ(repaired.report.hanging.count, 1U);
+  EXPECT_EQ(repaired.report.branches.count, 0U);
+  EXPECT_EQ(repaired.surface.triangles.size(), 12U);
+
+  // One triangle beside two whose sides end in the middle of its own.
+  const TriangleSurface filled = test::surface_of({{0, 0, 0}, {2, 0, 0}, {1, 1, 0}, {1, 0, 0}, {1, -1, 0}},
+                                                  {{0, 1, 2}, {0, 3, 1}, {0, 4, 3}, {3, 4, 1}});
+  EXPECT_EQ(repair_surface(filled, {}).report.hanging.count, 0U);
+  EXPECT_EQ(repair_surface(filled, {}).surface.triangles.size(), 4U);
+}
+
 TEST(Repair, DropsDegenerateAndDuplicateTrianglesAndTellsWhere) {
   TriangleSurface cube = test::cube();
   cube.triangles.push_back({3, 2, 0});  // there already, the other way round
