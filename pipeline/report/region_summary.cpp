@@ -26,9 +26,11 @@ std::vector<RegionSummary> summarize_regions(const Mesh& mesh, const std::vector
   const auto region = mesh.find_tag<FaceId, std::int32_t>("region");
   if (!region.valid()) return {};
   std::map<std::int32_t, RegionSummary> by_number;
+  RegionSummary* last = nullptr;  // faces of a region come one after the other, by and large
   for (const FaceId f : mesh.faces()) {
     if (!mesh.alive(f)) continue;
-    RegionSummary& summary = by_number[region[f]];
+    if (last == nullptr || last->region != region[f]) last = &by_number[region[f]];
+    RegionSummary& summary = *last;
     if (summary.faces == 0) summary.groups = groups_of(mesh, f, groups);
     summary.region = region[f];
     ++summary.faces;
