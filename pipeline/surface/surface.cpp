@@ -73,14 +73,16 @@ class SurfaceJob {
 
  private:
   // Elements along features, rims and details take up another area than that of their size: with a wanted
-  // count the size is mended, and the mesh that comes nearest is kept.
+  // count the size is mended, and the mesh that comes nearest is kept. Not where single places asked for
+  // more: those count beyond it.
   void meet_count(const RepairedSurface& repaired) {
     const std::vector<std::string> notes = result_.notes;
     const auto miss = [&] {
       return std::abs(static_cast<double>(result_.mesh.count_alive_faces()) / *options_.count - 1);
     };
     mesh_by_method(repaired);
-    for (int round = 1; options_.count && round < kMostRounds && miss() > kCountTolerance; ++round) {
+    for (int round = 1; options_.count && tight_.empty() && round < kMostRounds && miss() > kCountTolerance;
+         ++round) {
       const double before = miss();
       const double ratio = static_cast<double>(result_.mesh.count_alive_faces()) / *options_.count;
       SurfaceResult last = std::exchange(result_, {});
