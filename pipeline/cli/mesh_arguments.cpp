@@ -68,7 +68,8 @@ void add_shape_options(CLI::App& command, MeshArguments& arguments) {
   add_irregular_price(command, arguments.section.irregular_price);
   command
       .add_flag("--keep-boundary", arguments.keep_boundary,
-                "the outline's own vertices are the boundary's vertices: none added, none moved; with "
+                "the vertices of the outline (of rims, on surfaces) are the boundary's: none added, none "
+                "moved; with "
                 "--quads matching or --elements tri")
       ->group("Elements");
 }

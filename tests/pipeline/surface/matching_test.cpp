@@ -85,6 +85,19 @@ TEST_F(SurfaceJob, ByMatchingHalvesNoEdgeButForParity) {
   EXPECT_LT(static_cast<double>(result.quads.matching.steiner_points), 0.02 * 3000);
 }
 
+TEST_F(SurfaceJob, ByMatchingWithAnnealingHasFewerSteinerPoints) {
+  SurfaceOptions options = matching_for(file_of(test::sphere(4)), 2500);
+  options.cleanup = CleanUpLevel::kNone;
+  const SurfaceResult plain = mesh_surface(options, Progress());
+  options.anneal = 100;
+  const SurfaceResult annealed = mesh_surface(options, Progress());
+  EXPECT_GT(annealed.quads.matching.search.annealing_moves, 0U);
+  EXPECT_LT(annealed.quads.matching.steiner_points, plain.quads.matching.steiner_points);
+  EXPECT_EQ(test::arrays_of(mesh_surface(options, Progress()).mesh), test::arrays_of(annealed.mesh));
+  options.seed = 7;
+  EXPECT_NE(test::arrays_of(mesh_surface(options, Progress()).mesh), test::arrays_of(annealed.mesh));
+}
+
 TEST_F(SurfaceJob, ByMatchingGivesTheSameMeshOnAnyNumberOfThreads) {
   const std::string path = file_of(tube(41, 13));
   std::vector<std::uint64_t> serial;
