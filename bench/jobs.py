@@ -56,7 +56,7 @@ def run(command, folder, limit=1200, output=os.devnull):
         wall = time.perf_counter() - start
     child.returncode = -1 if status is None else os.waitstatus_to_exitcode(status)
     with open(log, errors="replace") as errors:
-        text = errors.read()[-4000:]
+        text = errors.read()[-4000:].replace(os.path.join(folder, ""), "")
     return Run(child.returncode, wall, usage.ru_utime + usage.ru_stime, usage.ru_maxrss * 1024, text)
 
 

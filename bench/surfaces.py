@@ -22,9 +22,10 @@ import os
 import tempfile
 
 import page
-from jobs import Referee, chosen, digest, load_json, machine_text, run, say, source_commit
+from jobs import Referee, call_checker, chosen, digest, load_json, machine_text, run, say, source_commit
 from tables import checked, failed_row, table, thousands
 
+HERE = os.path.dirname(os.path.abspath(__file__))
 EXTENSIONS = (".obj", ".ply", ".stl", ".ml", ".ts")
 LIMIT = 300  # seconds of the clock for a run
 TEXT = """# Quads on surfaces
@@ -35,7 +36,8 @@ model, a structural model of OpenGeode. Everything but `--count` is the default.
 its own normal, its smallest corner's; % < 0.2 are quads whose SJ is below that; irregular are interior vertices with other
 than four edges. The referee shares no code with quarry: all quads, none inverted, the surface's own topology, no face
 upside down, which is one whose normal points away from the normals of all parts of the surface about as near as the
-nearest. It also measures the distance both ways, in shares of the diagonal of the box, and how much of the length of the
+nearest. Corners turned are those whose normal stands at more than 72 degrees to every normal of the surface within half
+of their face's longest edge (bench/turned_corners.py, which shares no code with quarry either). The referee also measures the distance both ways, in shares of the diagonal of the box, and how much of the length of the
 edges above 40 degrees (on scans these are noise) and of the rims lies within a quarter of an element of such edges and rims
 of the mesh. Times are whole processes, file to file, on one thread; the peak of memory is all that the process held, its
 program and the surface too, over the quads. A run is ended after {limit} s of the clock.
@@ -91,9 +93,16 @@ def measure(options, referee, path, count, folder):
         row["kept"], row["rims"] = (found.get(lines, {}).get("pct_kept_within_quarter_h")
                                     for lines in ("features", "boundary"))
         row["upside_down"] = found.get("upside_down")
+        row["turned"] = turned_corners(options, referee, out, repaired, folder)
     row["threads"] = ["1", *options.threads.split(",")]
     row["differing"] = differing(command, folder, out, row["threads"][1:])
     return row
+
+
+def turned_corners(options, referee, out, repaired, folder):
+    plain = os.path.join(folder, "out.obj")
+    run([options.quarry, "convert", out, plain, "--quiet"], folder)
+    return call_checker(referee.python, os.path.join(HERE, "turned_corners.py"), plain, repaired).get("turned")
 
 
 def row_of(name, row):
@@ -108,13 +117,13 @@ def row_of(name, row):
     return [name, thousands(row["quads"]), f"{100 * quality['valence']['irregular_share']:.2f}",
             f"{jacobian['min']:.3f}", f"{jacobian['mean']:.4f}", f"{100 * jacobian['share_below_0.2']:.3f}",
             number("largest", ".1e"), number("mean", ".1e"), number("kept", ".1f"), number("rims", ".1f"),
-            number("upside_down", "d"), checked(row),
+            number("upside_down", "d"), number("turned", "d"), checked(row),
             f"**{'; '.join(row['differing'])}**" if row["differing"] else ", ".join(row["threads"]),
             f"{row['seconds']:.2f}", thousands(row["quads"] / row["seconds"]), f"{row['peak'] / 1e3 / row['quads']:.2f}"]
 
 
 HEADER = ["surface", "quads", "irregular %", "SJ min", "SJ mean", "% < 0.2", "largest distance", "mean",
-          "sharp edges kept %", "rims kept %", "upside down", "referee", "same bytes on threads", "s", "quads/s",
+          "sharp edges kept %", "rims kept %", "upside down", "corners turned", "referee", "same bytes on threads", "s", "quads/s",
           "peak kB a quad"]
 
 
