@@ -6,7 +6,8 @@ from tables import table, thousands, verdict
 PAGE = """# Networks of growing size
 
 Made by `bench/networks.py` (the text at the end apart), which anyone can rerun; do not edit the tables. Fractures drawn by
-`quarry generate fractures --count N` in a box of 1000, with lengths by a power law and two sets of directions. Whole
+`quarry generate fractures --count N` in a box of 1000, with lengths by a power law and two sets of directions; and the lines of
+real maps (bench/maps.py says where they come from) at a 600th of their longer side. Whole
 processes, file to file, seconds of processor time (and of the clock in brackets), the best of {repeat}. gmsh and netgen
 (Debian's both) mesh the lines that `quarry clean` wrote: gmsh face by face of the arrangement, netgen as one domain with all
 lines inside it, to an edge that gives about as many elements; the ways of gmsh are those of [results.md](results.md), and

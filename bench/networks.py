@@ -2,9 +2,11 @@
 """Fracture networks of growing size, meshed by the command and, on the same cleaned lines, by gmsh and netgen: whole
 processes, file to file. Prints tables in Markdown, as they stand in docs/results-networks.md.
 
-usage: networks.py [--quarry build/quarry] [--referee DIR] [--segments 1000,10000,100000] [--repeat 3] [--limit 300]
-                   [--peers 10000] [--quick] [--out docs/results-networks.md] [--json FILE] [--compare FILE]
+usage: networks.py [--quarry build/quarry] [--referee DIR] [--segments 1000,10000,100000] [--maps NAME,... --data DIR]
+                   [--repeat 3] [--limit 300] [--peers 10000] [--quick] [--out docs/results-networks.md] [--json FILE]
+                   [--compare FILE]
 
+--maps     real maps as well, at a 600th of their longer side: of the files of that folder, planar/NAME.lines.geojson
 --peers    the largest network that gmsh and netgen are given
 --limit    seconds that a run of theirs may take
 --quick    of gmsh and netgen the fastest ways alone, which the ratios are with
@@ -22,10 +24,12 @@ import network_page
 import page
 import ratios
 from jobs import Referee, call_checker, digest, load_json, machine_text, run, say, source_commit
+from maps import box_of
 from network_peers import KEPT_WITHIN, kept_share, peer_rows
 
 # H times the root of the number of segments, in a box of 1000: about 120 and 70 quads a segment.
 SHAPES = {"1,000 segments": (1000, 105), "10,000": (10000, 145), "100,000": (100000, 145), "1,000,000": (1000000, 290)}
+MAP_DIVISION = 600
 WAYS = (("quads, no clean-up", ("--cleanup", "none")), ("quads", ()), ("triangles", ("--elements", "tri")))
 HERE = os.path.dirname(os.path.abspath(__file__))
 
@@ -48,6 +52,11 @@ class Bench:
         say(f"{os.path.basename(lines)} {' '.join(extra)} on {threads}: {best.cpu:.2f} s of {best.wall:.2f}"
             + ("" if best.code == 0 else f", {best.why}"))
         return best, digest(out) if best.code == 0 else "", load_json(report) if best.code == 0 else None
+
+    def clean(self, lines, size):
+        target = self.path("clean.geojson")
+        run([self.quarry, "clean", lines, "--size", f"{size:.12g}", "-o", target, "--quiet"], self.folder)
+        return target
 
     def check(self, script, *arguments):
         return call_checker(self.referee.python, os.path.join(HERE, script), *arguments) if self.referee.python else None
@@ -78,6 +87,12 @@ def measure_ours(bench, label, lines, clean, size):
                "irregular": 100 * quality["valence"]["irregular_share"]}
 
 
+def quads_of(ours, label):
+    """How many quads quarry made of a network by default; None if it made none."""
+    return next((row["elements"] for row in ours if row["network"] == label and row["what"] == "quads"
+                 and "error" not in row), None)
+
+
 def measure(arguments):
     wanted = {int(word) for word in arguments.segments.split(",")}
     ours, peers = [], []
@@ -88,14 +103,18 @@ def measure(arguments):
                 continue
             lines, size = bench.path(f"{count}.geojson"), density / count**0.5
             run([bench.quarry, "generate", "fractures", "--count", count, "-o", lines, "-q"], folder)
-            clean = bench.path("clean.geojson")
-            run([bench.quarry, "clean", lines, "--size", f"{size:.12g}", "-o", clean, "--quiet"], folder)
-            here = list(measure_ours(bench, label, lines, clean, size))
-            ours += here
+            clean = bench.clean(lines, size)
+            ours += measure_ours(bench, label, lines, clean, size)
             if count <= arguments.peers:
-                quads = next((row["elements"] for row in here if row["what"] == "quads" and "error" not in row), None)
-                peers += peer_rows(bench, label, clean, size, quads)
+                peers += peer_rows(bench, label, clean, size, quads_of(ours, label))
             os.remove(lines)
+        for name in filter(None, arguments.maps.split(",")):
+            lines = os.path.join(arguments.data, "planar", name + ".lines.geojson")
+            x0, y0, x1, y1 = box_of(lines)
+            size = max(x1 - x0, y1 - y0) / MAP_DIVISION
+            clean = bench.clean(lines, size)
+            ours += [{**row, "map": True} for row in measure_ours(bench, name, lines, clean, size)]
+            peers += peer_rows(bench, name, clean, size, quads_of(ours, name))
     return {"machine": machine_text(), "commit": source_commit(), "repeat": arguments.repeat, "limit": arguments.limit,
             "quick": arguments.quick, "near": KEPT_WITHIN, "quarry": ours, "peers": peers,
             "ratios": ratios.find_ratios(ours, peers), "rates": ratios.find_rates(ours)}
@@ -106,6 +125,8 @@ def parse():
     parser.add_argument("--quarry", default="build/quarry")
     parser.add_argument("--referee", default="../shared/referee")
     parser.add_argument("--segments", default="1000,10000,100000")
+    parser.add_argument("--maps", default="")
+    parser.add_argument("--data", default="../shared/data")
     parser.add_argument("--repeat", type=int, default=3)
     parser.add_argument("--limit", type=int, default=300)
     parser.add_argument("--peers", type=int, default=10000)

@@ -58,7 +58,7 @@ def find_ratios(ours, peers):
             if peer:
                 ratios[f"{name}: elements a second by those of {who}'s fastest way"] = rate(row) / peer
         ratios[f"{name}: {OF_THREADS}"] = row["one"]["wall"] / row["two"]["wall"]
-        if row["what"] in before:
+        if row["what"] in before and not row.get("map"):
             ratios[f"{name}: time an element of {before[row['what']]['network']} by this one's"] = (
                 rate(row) / rate(before[row["what"]]))
         before[row["what"]] = row

@@ -16,7 +16,7 @@ from scipy.spatial import cKDTree
 COSINE = np.cos(np.radians(72))
 REACH = 0.5       # of the longest edge of the face
 SPACING = 0.25    # of the median edge of the mesh: how near to one another samples of the surface lie at most
-MOST = 64         # samples along a side of a triangle
+MOST = 32         # samples along a side of a triangle; larger ones are looked at one by one
 
 
 def read_obj(path):
@@ -37,12 +37,8 @@ def unit(vectors):
     return np.divide(vectors, length, out=np.zeros_like(vectors), where=length > 0)
 
 
-def samples(points, triangles, spacing):
-    """Points of the triangles no farther apart than the spacing, and the normal of each one's triangle."""
-    corners = points[triangles]
-    normals = unit(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]))
-    longest = np.max(np.linalg.norm(corners - np.roll(corners, -1, axis=1), axis=2), axis=1)
-    rows = np.clip(np.ceil(longest / spacing), 1, MOST).astype(int)
+def samples(corners, normals, rows):
+    """Points of the triangles, by so many rows, and the normal of each one's triangle."""
     places, of = [], []
     for n in np.unique(rows):
         chosen = np.flatnonzero(rows == n)
@@ -53,6 +49,21 @@ def samples(points, triangles, spacing):
         places.append(np.einsum("sk,tkd->tsd", weights, corners[chosen]).reshape(-1, 3))
         of.append(np.repeat(chosen, len(weights)))
     return np.concatenate(places), normals[np.concatenate(of)]
+
+
+def distances(points, a, b, c):
+    """Of points (n, 3) from a triangle."""
+    def from_edge(p, q):
+        along = np.clip((points - p) @ (q - p) / max((q - p) @ (q - p), 1e-300), 0, 1)
+        return np.linalg.norm(points - p - along[:, None] * (q - p), axis=1)
+
+    normal = np.cross(b - a, c - a)
+    found = np.minimum(np.minimum(from_edge(a, b), from_edge(b, c)), from_edge(c, a))
+    size = np.linalg.norm(normal)
+    if size > 0:
+        inside = np.all([np.cross(q - p, points - p) @ normal >= 0 for p, q in ((a, b), (b, c), (c, a))], axis=0)
+        found[inside] = np.abs((points - a) @ normal / size)[inside]
+    return found
 
 
 def corners_of(points, faces):
@@ -75,15 +86,23 @@ def main():
     reference, triangles = read_obj(sys.argv[2])
     places, normals, longest = corners_of(points, faces)
     spacing = SPACING * np.median(longest)
-    surface, surface_normals = samples(reference, np.array([t[:3] for t in triangles]), spacing)
-    tree = cKDTree(surface)
+    surface = reference[np.array([t[:3] for t in triangles])]
+    up = unit(np.cross(surface[:, 1] - surface[:, 0], surface[:, 2] - surface[:, 0]))
+    sides = np.max(np.linalg.norm(surface - np.roll(surface, -1, axis=1), axis=2), axis=1)
+    rows = np.maximum(np.ceil(sides / spacing), 1).astype(int)
+    small, large = np.flatnonzero(rows <= MOST), np.flatnonzero(rows > MOST)
+    sampled, sampled_up = samples(surface[small], up[small], rows[small])
+    tree = cKDTree(sampled)
     # Most corners agree with what is nearest; of the others all within reach is looked at.
-    doubtful = np.flatnonzero(
-        np.einsum("ij,ij->i", normals, surface_normals[tree.query(places)[1]]) < COSINE)
-    turned = 0
-    for i in doubtful:
-        near = tree.query_ball_point(places[i], REACH * longest[i] + spacing)
-        turned += not np.any(surface_normals[near] @ normals[i] >= COSINE)
+    doubtful = np.flatnonzero(np.einsum("ij,ij->i", normals, sampled_up[tree.query(places)[1]]) < COSINE)
+    agrees = np.array([np.any(sampled_up[tree.query_ball_point(places[i], REACH * longest[i] + spacing)] @ normals[i]
+                              >= COSINE) for i in doubtful], dtype=bool)
+    for t in large:
+        left = np.flatnonzero(~agrees)
+        of = doubtful[left]
+        facing = normals[of] @ up[t] >= COSINE
+        agrees[left] = facing & (distances(places[of], *surface[t]) <= REACH * longest[of])
+    turned = np.count_nonzero(~agrees)
     print(json.dumps({"corners": len(places), "beside_the_nearest": len(doubtful), "turned": int(turned)}))
 
 
