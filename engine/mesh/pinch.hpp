@@ -15,7 +15,7 @@ namespace quarry {
 inline constexpr const char* kPinchTag = "pinch";
 
 struct FanTwin {
-  VertexId vertex, twin;
+  VertexId vertex, twin;  // of the first fan, and the new one of another
 };
 
 // Gives each fan beyond the first at a boundary vertex a new vertex with the same point. For meshes whose

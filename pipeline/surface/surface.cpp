@@ -14,10 +14,10 @@
 #include "pipeline/surface/find_surface_sizes.hpp"
 #include "pipeline/surface/finish_surface.hpp"
 #include "pipeline/surface/read_surface.hpp"
+#include "pipeline/surface/surface_notes.hpp"
 #include "surface/feature/bind.hpp"
 #include "surface/model/surface_model.hpp"
 #include "surface/repair/coarsen_joins.hpp"
-#include "surface/repair/cracks.hpp"
 #include "surface/repair/sheets.hpp"
 #include "surface/repair/split_joins.hpp"
 
@@ -62,11 +62,10 @@ class SurfaceJob {
     RepairedSurface repaired = repair_surface(std::move(surface), options_.repair);
     result_.repaired = repaired.surface;
     result_.repair = repaired.report;
-    if (options_.repair.weld == 0) note_cracks();
+    if (options_.repair.weld == 0) add(crack_note(repaired));
     find_size(repaired.surface);
     meet_count(repaired);
-    if (const auto note = count_note(options_.count, result_.mesh, "features and details"))
-      result_.notes.push_back(*note);
+    add(count_note(options_.count, result_.mesh, "features and details"));
     clock_.stop();
     result_.times = clock_.times();
   }
@@ -87,40 +86,36 @@ class SurfaceJob {
       const double ratio = static_cast<double>(result_.mesh.count_alive_faces()) / *options_.count;
       SurfaceResult last = std::exchange(result_, {});
       result_.names = last.names;
-      result_.repaired = last.repaired;
+      result_.repaired = std::move(last.repaired);
       result_.repair = last.repair;
       result_.notes = notes;
       result_.size = last.size * std::clamp(std::sqrt(ratio), 1 / kMostScale, kMostScale);
-      try {
-        mesh_by_method(repaired);
-      } catch (const Error& error) {
-        if (error.kind() != ErrorKind::kGeometry) throw;
-        result_ = std::move(last);
-        return;
-      }
-      if (miss() < before) continue;
+      if (meshes_by_method(repaired) && miss() < before) continue;
+      last.repaired = std::move(result_.repaired);
       result_ = std::move(last);
       return;
     }
   }
 
+  // False where that cannot be had with the size of the result.
+  bool meshes_by_method(const RepairedSurface& repaired) {
+    try {
+      mesh_by_method(repaired);
+    } catch (const Error& error) {
+      if (error.kind() != ErrorKind::kGeometry) throw;
+      return false;
+    }
+    return true;
+  }
+
   void mesh_by_method(const RepairedSurface& repaired) {
     choose_method(repaired);
     if (result_.method == SurfaceQuads::kCluster || !follow_wish(repaired)) mesh_validly(repaired);
-    if (limited_.share > 0)
-      result_.notes.push_back(fmt::format(
-          "elements are smaller than wanted on {:.2g} % of the surface, down to {:.3g} at ({:.9g}, {:.9g}, "
-          "{:.9g}): details, walls or gaps ask for it",
-          100 * limited_.share, limited_.smallest, limited_.place.x, limited_.place.y, limited_.place.z));
+    add(limit_note(limited_));
   }
 
-  void note_cracks() {
-    const Cracks cracks = find_cracks(result_.repaired);
-    if (!cracks.likely()) return;
-    result_.notes.push_back(
-        fmt::format("{} of {} points on rims lie within {:.3g} of another one: if these are cracks, --weld "
-                    "{:.3g} closes them",
-                    cracks.near_others, cracks.rim_points, cracks.distance, cracks.distance));
+  void add(const std::optional<std::string>& note) {
+    if (note) result_.notes.push_back(*note);
   }
 
   // False, with a note why, if quads have to be made as clusters, as if nothing else had been tried.
@@ -161,15 +156,7 @@ class SurfaceJob {
     return true;
   }
 
-  [[noreturn]] void refuse_invalid() const {
-    const Vec3 p = invalid_.front().place;
-    throw Error(
-        ErrorKind::kGeometry,
-        fmt::format("{} elements are inverted, flat or upside down, the first at ({:.9g}, {:.9g}, "
-                    "{:.9g}): the surface has details, walls or strips between features smaller than the "
-                    "elements there, or runs through itself; take a smaller --size",
-                    invalid_.size(), p.x, p.y, p.z));
-  }
+  [[noreturn]] void refuse_invalid() const { throw Error(ErrorKind::kGeometry, invalid_note(invalid_)); }
 
   // Where faces are invalid, and half the edge that they began with.
   void find_invalid(const SurfaceModel& model, const SurfaceSizes& sizes) {

@@ -33,9 +33,11 @@ class Repair {
     drop(degenerate(), report_.degenerate);
     drop(duplicates(), report_.duplicate);
     if (surface_.triangles.empty()) throw Error(ErrorKind::kInput, "the surface has no triangle");
-    drop(hanging(), report_.hanging);
+    SurfaceEdges edges(surface_);
+    drop(hanging(edges), report_.hanging);
+    if (report_.hanging.count > 0) edges = SurfaceEdges(surface_);
     drop_unused_points();
-    turn();
+    turn(edges);
     if (options_.fill_holes > 0) fill();
     return finish();
   }
@@ -98,8 +100,7 @@ class Repair {
   // Triangles without extent beside their longest edge, which two others have, while nothing else has the
   // edges that lie upon it: what cutting programs leave behind. They would make the edge one in which sheets
   // meet.
-  [[nodiscard]] std::vector<std::uint8_t> hanging() const {
-    const SurfaceEdges edges(surface_);
+  [[nodiscard]] std::vector<std::uint8_t> hanging(const SurfaceEdges& edges) const {
     std::vector<std::uint8_t> bad(surface_.triangles.size(), 0);
     parallel::for_each(bad.size(), [&](std::size_t i) {
       const SurfaceTriangle& t = surface_.triangles[i];
@@ -153,8 +154,7 @@ class Repair {
       for (std::uint32_t& p : t) p = number[p];
   }
 
-  void turn() {
-    const SurfaceEdges edges(surface_);
+  void turn(const SurfaceEdges& edges) {
     const Orientation orientation = orient(surface_, edges);
     for (std::size_t t = 0; t < surface_.triangles.size(); ++t) {
       if (orientation.turn[t] == 0) continue;
