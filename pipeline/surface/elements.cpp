@@ -17,6 +17,10 @@ const double kTrianglesForQuads = std::sqrt(2.12 * 4 / std::sqrt(3.0));
 const double kTrianglesForMatching = std::sqrt(2 / std::sqrt(3.0));
 // A cell of the lattice makes four quads.
 constexpr double kSpacingForQuads = 2;
+// A lattice ends with a spacing so much larger than it begins with, by 1.01 to 1.11 where sheets meet, as it
+// makes fewer cells than are wanted. Joins, which are divided before, so have as many parts as rims beside
+// them: extruded networks of fractures have 0.2 to 0.7 % irregular vertices in place of 1.1 to 2.4.
+constexpr double kJoinsForLattice = 1.03;
 // The edge of the triangles that the fields are found on, in spacings: with 0.55 there are as many irregular
 // vertices in the end, and it takes a third longer.
 constexpr double kTrianglesForLattice = 0.8;
@@ -120,6 +124,12 @@ double first_edge(Elements elements, SurfaceQuads method) {
   if (elements == Elements::kTriangle) return 1;
   if (method == SurfaceQuads::kMatching) return kTrianglesForMatching;
   return method == SurfaceQuads::kField ? kSpacingForQuads : kTrianglesForQuads;
+}
+
+double join_edge(Elements elements, SurfaceQuads method) {
+  const double edge = first_edge(elements, method);
+  if (method == SurfaceQuads::kField) return kJoinsForLattice * edge;
+  return method == SurfaceQuads::kMatching ? 2 * edge : edge;
 }
 
 bool make_elements(const SurfaceToMesh& surface, const SurfaceOptions& options, SurfaceResult& result,

@@ -13,6 +13,8 @@ namespace quarry {
 
 // The edge that elements of edge 1 begin with: that of the triangles which are paired, or of the lattice.
 [[nodiscard]] double first_edge(Elements elements, SurfaceQuads method);
+// The edge of joins for elements of edge 1: a matching halves what it is given.
+[[nodiscard]] double join_edge(Elements elements, SurfaceQuads method);
 
 struct SurfaceToMesh {
   const SurfaceModel& model;

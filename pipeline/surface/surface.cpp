@@ -16,10 +16,9 @@
 #include "pipeline/surface/read_surface.hpp"
 #include "pipeline/surface/surface_notes.hpp"
 #include "surface/feature/bind.hpp"
+#include "surface/join/divide_joins.hpp"
 #include "surface/model/surface_model.hpp"
-#include "surface/repair/coarsen_joins.hpp"
 #include "surface/repair/sheets.hpp"
-#include "surface/repair/split_joins.hpp"
 
 namespace quarry {
 namespace {
@@ -109,7 +108,7 @@ class SurfaceJob {
   }
 
   void mesh_by_method(const RepairedSurface& repaired) {
-    choose_method(repaired);
+    choose_method();
     if (result_.method == SurfaceQuads::kCluster || !follow_wish(repaired)) mesh_validly(repaired);
     add(limit_note(limited_));
   }
@@ -172,10 +171,10 @@ class SurfaceJob {
   // if the method cannot be had.
   bool mesh(RepairedSurface repaired) {
     const double edge = first_edge(options_.elements, result_.method) * result_.size;
-    const std::vector<LineEdge> lines = divide_joins(repaired, edge);
-    clock_.start("finding features");
     FeatureOptions features = options_.features;
     features.size = edge;
+    const std::vector<LineEdge> lines = divide_curves(repaired, features);
+    clock_.start("finding features");
     const FeatureEdges found = find_feature_edges(repaired, features, lines);
     const CurveNetwork network = make_curve_network(repaired.surface, found.edges, features);
     count(found, network);
@@ -202,16 +201,15 @@ class SurfaceJob {
   // What sheets share gets its edges, and lines theirs, which are returned. Nothing but halving would make
   // sheets even that end in joins alone, and no sheet may do so on its own: for a matching joins are made
   // twice as long and halved.
-  [[nodiscard]] std::vector<LineEdge> divide_joins(RepairedSurface& repaired, double edge) {
+  [[nodiscard]] std::vector<LineEdge> divide_curves(RepairedSurface& repaired,
+                                                    const FeatureOptions& features) {
+    const double edge = features.size;
     const bool halved = makes_quads() && result_.method == SurfaceQuads::kMatching;
-    const double wanted = halved ? 2 * edge : edge;
-    const RemeshOptions remesh;
-    coarsen_joins(repaired, {.shortest = remesh.shortest * wanted,
-                             .longest = remesh.longest * wanted,
-                             .deviation = remesh.feature_deviation * edge});
+    divide_joins(repaired, {.edge = join_edge(options_.elements, result_.method) * result_.size,
+                            .deviation = RemeshOptions().feature_deviation * edge,
+                            .corners = features});
     result_.imprint = {};
     std::vector<LineEdge> lines = imprint(repaired, edge);
-    split_joins(repaired, remesh.longest * wanted);
     if (halved) halve_joins(repaired);
     return lines;
   }
@@ -267,12 +265,7 @@ class SurfaceJob {
 
   [[nodiscard]] bool makes_quads() const { return options_.elements != Elements::kTriangle; }
 
-  void choose_method(const RepairedSurface& repaired) {
-    result_.method = makes_quads() ? options_.method : SurfaceQuads::kCluster;
-    if (result_.method != SurfaceQuads::kField || repaired.joins.empty()) return;
-    note_clusters("sheets of the surface meet");
-    result_.method = SurfaceQuads::kCluster;
-  }
+  void choose_method() { result_.method = makes_quads() ? options_.method : SurfaceQuads::kCluster; }
 
   const SurfaceOptions& options_;
   const Progress& progress_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -43,16 +44,26 @@ class LatticeFields {
 
   void run(const Progress& progress) {
     find_crosses();
+    double& scale = state_.base.scale;
+    double best = scale, least = std::numeric_limits<double>::infinity();
     for (int attempt = 0; attempt < options_.attempts; ++attempt) {
       progress.throw_if_cancelled();
       find_places();
       if (!(options_.wanted_cells > 0)) break;
       const double share = cells() / options_.wanted_cells;
-      if (std::abs(share - 1) <= options_.cell_tolerance) break;
+      const double miss = std::abs(share - 1);
+      if (miss < least) best = scale;
+      least = std::min(miss, least);
+      if (miss <= options_.cell_tolerance) break;
       if (attempt + 1 < options_.attempts)
-        state_.base.scale *= std::clamp(std::sqrt(share), 1 / kMostCorrection, kMostCorrection);
+        scale *= std::clamp(std::sqrt(share), 1 / kMostCorrection, kMostCorrection);
     }
-    report_.scale = state_.base.scale;
+    // Rows come and go whole: of a handful of cells a correction may leave far fewer.
+    if (options_.wanted_cells > 0 && scale != best) {
+      scale = best;
+      find_places();
+    }
+    report_.scale = scale;
   }
 
  private:

@@ -13,9 +13,9 @@
 #include "engine/mesh/validate.hpp"
 #include "engine/parallel/parallel.hpp"
 #include "surface/feature/bind.hpp"
+#include "surface/join/divide_joins.hpp"
 #include "surface/remesh/triangle_guard.hpp"
 #include "surface/repair/sheets.hpp"
-#include "surface/repair/split_joins.hpp"
 #include "tests/support/mesh_arrays.hpp"
 #include "tests/support/surface_zoo.hpp"
 
@@ -39,8 +39,8 @@ struct Remeshed {
 Remeshed remeshed(TriangleSurface surface, double edge) {
   RepairedSurface repaired = repair_surface(std::move(surface), {});
   const RemeshOptions options;
-  split_joins(repaired, options.longest * edge);
   const FeatureOptions features{.size = edge};
+  divide_joins(repaired, {.edge = edge, .deviation = options.feature_deviation * edge, .corners = features});
   Remeshed result;
   result.network =
       make_curve_network(repaired.surface, find_feature_edges(repaired, features).edges, features);

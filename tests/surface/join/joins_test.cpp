@@ -6,23 +6,26 @@
 #include <gtest/gtest.h>
 
 #include "engine/mesh/validate.hpp"
-#include "surface/repair/coarsen_joins.hpp"
+#include "surface/join/divide_joins.hpp"
 #include "surface/repair/sheets.hpp"
-#include "surface/repair/split_joins.hpp"
 #include "tests/support/surface_zoo.hpp"
 
 namespace quarry {
 namespace {
 
-// All of one group, with the common edge cut into pieces of at most that length, and bent by so much.
-RepairedSurface sheets_with_a_join(double longest, double bend) {
+// All of one group, with the common edge, one long, halved so often, and bent by so much.
+RepairedSurface sheets_with_a_join(int halvings, double bend) {
   TriangleSurface surface = test::three_sheets();
   surface.groups.assign(surface.triangles.size(), 0);
   RepairedSurface repaired = repair_surface(std::move(surface), {});
-  split_joins(repaired, longest);
+  for (int k = 0; k < halvings; ++k) halve_joins(repaired);
   for (Vec3& p : repaired.surface.points)
     if (p.x == 0 && p.y == 0) p.x = bend * std::sin(3 * p.z);
   return repaired;
+}
+
+DivideJoinsOptions parts_of(double edge, double deviation) {
+  return {.edge = edge, .deviation = deviation, .corners = {.size = edge}};
 }
 
 double area_of(const TriangleSurface& surface) {
@@ -38,15 +41,15 @@ double longest_join(const RepairedSurface& repaired) {
   return longest;
 }
 
-TEST(SplitJoins, LeavesNoneThatIsTooLong) {
-  const RepairedSurface repaired = sheets_with_a_join(0.07, 0);
-  EXPECT_EQ(repaired.joins.size(), 16U);
-  EXPECT_EQ(longest_join(repaired), 1.0 / 16);
-  EXPECT_NEAR(area_of(repaired.surface), 3, 1e-12);
+double shortest_join(const RepairedSurface& repaired) {
+  double shortest = 1;
+  for (const auto& [a, b] : repaired.joins)
+    shortest = std::min(shortest, length(repaired.surface.points[b] - repaired.surface.points[a]));
+  return shortest;
 }
 
 TEST(HalveJoins, HalvesEachOnce) {
-  RepairedSurface repaired = sheets_with_a_join(0.3, 0.1);
+  RepairedSurface repaired = sheets_with_a_join(2, 0.1);
   const double longest = longest_join(repaired);
   EXPECT_EQ(repaired.joins.size(), 4U);
   halve_joins(repaired);
@@ -56,23 +59,23 @@ TEST(HalveJoins, HalvesEachOnce) {
   EXPECT_EQ(validate(make_sheets(repaired), GeometryCheck::kNone), "");
 }
 
-TEST(CoarsenJoins, LengthensAStraightJoinAndKeepsTheSheets) {
-  RepairedSurface repaired = sheets_with_a_join(0.02, 0);
-  const auto before = static_cast<std::uint64_t>(repaired.joins.size());
-  const std::uint64_t collapses =
-      coarsen_joins(repaired, {.shortest = 0.2, .longest = 0.3, .deviation = 1e-9});
-  EXPECT_EQ(repaired.joins.size(), before - collapses);
-  EXPECT_LE(repaired.joins.size(), 9U);
-  EXPECT_LE(longest_join(repaired), 0.3);
-  EXPECT_TRUE(std::is_sorted(repaired.joins.begin(), repaired.joins.end()));
-  EXPECT_NEAR(area_of(repaired.surface), 3, 1e-12);
-  EXPECT_EQ(validate(make_sheets(repaired), GeometryCheck::kNone), "");
+TEST(DivideJoins, MakesEqualPartsOfAStraightJoinWhateverItWasMadeOf) {
+  for (const int halvings : {0, 2, 4, 6}) {
+    RepairedSurface repaired = sheets_with_a_join(halvings, 0);
+    divide_joins(repaired, parts_of(0.15, 1e-9));
+    ASSERT_EQ(repaired.joins.size(), 7U) << halvings;
+    EXPECT_NEAR(longest_join(repaired), 1.0 / 7, 2 * 0.05 * 0.15);
+    EXPECT_NEAR(shortest_join(repaired), 1.0 / 7, 2 * 0.05 * 0.15);
+    EXPECT_TRUE(std::is_sorted(repaired.joins.begin(), repaired.joins.end()));
+    EXPECT_NEAR(area_of(repaired.surface), 3, 1e-12);
+    EXPECT_EQ(validate(make_sheets(repaired), GeometryCheck::kNone), "");
+  }
 }
 
-TEST(CoarsenJoins, KeepsACurvedJoinWithinTheDeviation) {
-  RepairedSurface repaired = sheets_with_a_join(0.02, 0.2);
+TEST(DivideJoins, KeepsACurvedJoinWithinTheDeviation) {
+  RepairedSurface repaired = sheets_with_a_join(6, 0.2);
   const double deviation = 0.005;
-  coarsen_joins(repaired, {.shortest = 0.5, .longest = 1, .deviation = deviation});
+  divide_joins(repaired, parts_of(0.25, deviation));
   EXPECT_LT(repaired.joins.size(), 20U);
   std::vector<Vec3> course;
   for (const auto& join : repaired.joins)
@@ -89,10 +92,22 @@ TEST(CoarsenJoins, KeepsACurvedJoinWithinTheDeviation) {
   }
 }
 
-TEST(CoarsenJoins, LeavesASurfaceWithoutJoinsAlone) {
+TEST(DivideJoins, KeepsCornersOfAJoin) {
+  RepairedSurface repaired = sheets_with_a_join(3, 0);
+  const Vec3 corner{0.3, 0, 0.375};
+  for (Vec3& p : repaired.surface.points)
+    if (p.x == 0 && p.y == 0) p.x = p.z <= 0.375 ? 0.8 * p.z : 0.3 - 0.48 * (p.z - 0.375);
+  divide_joins(repaired, parts_of(0.2, 0.2));
+  const auto is_corner = [&](std::uint32_t p) { return length(repaired.surface.points[p] - corner) < 1e-12; };
+  EXPECT_EQ(std::count_if(repaired.joins.begin(), repaired.joins.end(),
+                          [&](const SheetJoin& join) { return is_corner(join[0]) || is_corner(join[1]); }),
+            2);
+}
+
+TEST(DivideJoins, LeavesASurfaceWithoutJoinsAlone) {
   RepairedSurface repaired = repair_surface(test::sphere(2), {});
   const TriangleSurface before = repaired.surface;
-  EXPECT_EQ(coarsen_joins(repaired, {.shortest = 1, .longest = 1, .deviation = 1}), 0U);
+  divide_joins(repaired, parts_of(1, 1));
   EXPECT_EQ(repaired.surface.triangles, before.triangles);
 }
 

@@ -1,4 +1,4 @@
-#include "surface/repair/coarsen_joins.hpp"
+#include "surface/join/coarsen_joins.hpp"
 
 #include <algorithm>
 #include <map>
@@ -21,8 +21,12 @@ double distance_to_segment(Vec3 a, Vec3 b, Vec3 p) {
 
 class JoinCoarsener {
  public:
-  JoinCoarsener(RepairedSurface& repaired, const CoarsenJoinsOptions& options)
-      : surface_(repaired.surface), repaired_(repaired), options_(options), around_(surface_.points.size()) {
+  JoinCoarsener(RepairedSurface& repaired, std::span<const std::uint8_t> kept, double deviation)
+      : surface_(repaired.surface),
+        repaired_(repaired),
+        kept_(kept),
+        deviation_(deviation),
+        around_(surface_.points.size()) {
     for (std::uint32_t t = 0; t < surface_.triangles.size(); ++t)
       for (const std::uint32_t p : surface_.triangles[t]) around_[p].push_back(t);
     for (const SheetJoin& join : repaired.joins) {
@@ -48,8 +52,8 @@ class JoinCoarsener {
   [[nodiscard]] Vec3 point(std::uint32_t p) const { return surface_.points[p]; }
 
   void enqueue(const SheetJoin& join) {
-    const double size = length(point(join[1]) - point(join[0]));
-    if (size < options_.shortest) queue_.insert({size, join});
+    if (kept_[join[0]] == 0 || kept_[join[1]] == 0)
+      queue_.insert({length(point(join[1]) - point(join[0])), join});
   }
 
   [[nodiscard]] std::set<std::uint32_t> neighbours(std::uint32_t p) const {
@@ -60,18 +64,6 @@ class JoinCoarsener {
     return found;
   }
 
-  // Edges at the point that are no joins have two triangles of one group each.
-  [[nodiscard]] bool lies_inside(std::uint32_t p) const {
-    for (const std::uint32_t q : neighbours(p)) {
-      if (passed_.count(join_of(p, q)) > 0) continue;
-      std::vector<std::int32_t> groups;
-      for (const std::uint32_t t : around_[p])
-        if (has(t, q)) groups.push_back(surface_.groups[t]);
-      if (groups.size() != 2 || groups[0] != groups[1]) return false;
-    }
-    return true;
-  }
-
   [[nodiscard]] bool has(std::uint32_t triangle, std::uint32_t p) const {
     const SurfaceTriangle& corners = surface_.triangles[triangle];
     return std::find(corners.begin(), corners.end(), p) != corners.end();
@@ -80,14 +72,14 @@ class JoinCoarsener {
   // Moves a point of a join into its neighbour along it.
   bool collapse(std::uint32_t gone, std::uint32_t kept) {
     const std::vector<std::uint32_t>& along = along_[gone];
-    if (along.size() != 2 || along[0] == along[1]) return false;
+    if (kept_[gone] != 0 || along[0] == along[1]) return false;
     const std::uint32_t before = along[0] == kept ? along[1] : along[0];
     const SheetJoin fresh = join_of(before, kept);
     std::vector<std::uint32_t> passed = passed_[join_of(before, gone)];
     const std::vector<std::uint32_t>& more = passed_[join_of(gone, kept)];
     passed.insert(passed.end(), more.begin(), more.end());
     passed.push_back(gone);
-    if (!keeps_curve(before, kept, passed) || !lies_inside(gone) || !may_collapse(gone, kept)) return false;
+    if (!keeps_curve(before, kept, passed) || !may_collapse(gone, kept)) return false;
     if (neighbours(before).count(kept) > 0) return false;
     apply(gone, kept);
     passed_.erase(join_of(before, gone));
@@ -102,10 +94,9 @@ class JoinCoarsener {
 
   [[nodiscard]] bool keeps_curve(std::uint32_t a, std::uint32_t b,
                                  const std::vector<std::uint32_t>& passed) const {
-    return length(point(b) - point(a)) <= options_.longest &&
-           std::all_of(passed.begin(), passed.end(), [&](std::uint32_t p) {
-             return distance_to_segment(point(a), point(b), point(p)) <= options_.deviation;
-           });
+    return std::all_of(passed.begin(), passed.end(), [&](std::uint32_t p) {
+      return distance_to_segment(point(a), point(b), point(p)) <= deviation_;
+    });
   }
 
   // Common neighbours are those of the triangles that vanish, and all others turn little and keep an area.
@@ -161,7 +152,8 @@ class JoinCoarsener {
 
   TriangleSurface& surface_;
   RepairedSurface& repaired_;
-  const CoarsenJoinsOptions& options_;
+  std::span<const std::uint8_t> kept_;
+  double deviation_;
   std::vector<std::vector<std::uint32_t>> around_;             // triangles, by point
   std::map<SheetJoin, std::vector<std::uint32_t>> passed_;     // the joins, and the points that were on them
   std::map<std::uint32_t, std::vector<std::uint32_t>> along_;  // the points that joins lead to
@@ -170,8 +162,8 @@ class JoinCoarsener {
 
 }  // namespace
 
-std::uint64_t coarsen_joins(RepairedSurface& repaired, const CoarsenJoinsOptions& options) {
-  return repaired.joins.empty() ? 0 : JoinCoarsener(repaired, options).run();
+std::uint64_t coarsen_joins(RepairedSurface& repaired, std::span<const std::uint8_t> kept, double deviation) {
+  return JoinCoarsener(repaired, kept, deviation).run();
 }
 
 }  // namespace quarry
