@@ -1,6 +1,7 @@
 #include "engine/mesh/pinch.hpp"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -23,6 +24,28 @@ std::vector<std::pair<VertexId, SideId>> first_sides_of_fans(const Mesh& mesh) {
 }
 
 }  // namespace
+
+std::vector<FanTwin> pinch_twins(const Mesh& mesh) {
+  std::vector<FanTwin> twins;
+  const auto pinch = mesh.find_tag<VertexId, std::uint8_t>(kPinchTag);
+  if (!pinch.valid()) return twins;
+  std::vector<VertexId> shared;
+  for (const VertexId v : mesh.vertices())
+    if (mesh.alive(v) && pinch[v] != 0) shared.push_back(v);
+  const auto key = [&](VertexId v) {
+    const Vec3 p = mesh.point3(v);
+    return std::tuple(p.x, p.y, p.z, v);
+  };
+  std::sort(shared.begin(), shared.end(), [&](VertexId a, VertexId b) { return key(a) < key(b); });
+  for (std::size_t i = 1, first = 0; i < shared.size(); ++i) {
+    if (mesh.point3(shared[i]) == mesh.point3(shared[first]))
+      twins.push_back({shared[first], shared[i]});
+    else
+      first = i;
+  }
+  std::sort(twins.begin(), twins.end(), [](const FanTwin& a, const FanTwin& b) { return a.twin < b.twin; });
+  return twins;
+}
 
 std::vector<FanTwin> split_fans(Mesh& mesh) {
   const auto fans = first_sides_of_fans(mesh);

@@ -15,8 +15,11 @@ namespace quarry {
 inline constexpr const char* kPinchTag = "pinch";
 
 struct FanTwin {
-  VertexId vertex, twin;  // of the first fan, and the new one of another
+  VertexId vertex, twin;  // of the first fan, and that of another
 };
+
+// By kPinchTag, in the order of the twins: the vertex is the one of smallest id at their point.
+[[nodiscard]] std::vector<FanTwin> pinch_twins(const Mesh& mesh);
 
 // Gives each fan beyond the first at a boundary vertex a new vertex with the same point. For meshes whose
 // side_of sees the fan with the boundary side of smallest number, as remove_outside and

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/mesh/pinch.hpp"
 #include "engine/parallel/parallel.hpp"
 #include "kernels/quality/face.hpp"
 #include "kernels/quality/face_measures.hpp"
@@ -226,7 +227,7 @@ ValenceSummary measure_valence(const Mesh& mesh, int regular) {
 
 QualitySummary summarize_quality(const Mesh& mesh) {
   QualitySummary summary;
-  summary.vertices = mesh.count_alive_vertices();
+  summary.vertices = mesh.count_alive_vertices() - pinch_twins(mesh).size();
   summary.edges = mesh.edge_slots();
   const Extent extent = measure_extent(mesh);
   summary.area = std::abs(extent.area);

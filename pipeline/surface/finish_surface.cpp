@@ -1,8 +1,10 @@
 #include "pipeline/surface/finish_surface.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "engine/mesh/compact.hpp"
 #include "engine/mesh/constraint.hpp"
@@ -43,6 +45,38 @@ std::int32_t number_of(const CurveNetwork& network, PieceId curve, std::size_t l
   const std::int32_t line = network.curves[curve].line;
   return line >= 0 ? line : static_cast<std::int32_t>(lines + curve.value());
 }
+
+// The edges in which sheets end, by the places of their ends: one sheet does at a rim, several where they
+// meet.
+class OuterEdges {
+ public:
+  explicit OuterEdges(const Mesh& mesh) : mesh_(mesh) {
+    for (const FaceId f : mesh.faces())
+      for (int k = 0; mesh.alive(f) && k < mesh.corner_count(f); ++k)
+        if (const SideId s(f, k); !mesh.neighbour(s).valid()) ++ends_[key(s)].sheets;
+  }
+
+  // Of an outer side.
+  [[nodiscard]] bool is_shared(SideId s) const { return ends_.at(key(s)).sheets > 1; }
+  // True once for each edge.
+  bool take(SideId s) { return !std::exchange(ends_.at(key(s)).taken, true); }
+
+ private:
+  using Place = std::array<double, 3>;
+  struct Uses {
+    int sheets = 0;
+    bool taken = false;
+  };
+
+  [[nodiscard]] std::pair<Place, Place> key(SideId s) const {
+    const Vec3 a = mesh_.point3(mesh_.origin(s)), b = mesh_.point3(mesh_.target(s));
+    const Place from{a.x, a.y, a.z}, to{b.x, b.y, b.z};
+    return {std::min(from, to), std::max(from, to)};
+  }
+
+  const Mesh& mesh_;
+  std::map<std::pair<Place, Place>, Uses> ends_;
+};
 
 }  // namespace
 
@@ -92,6 +126,7 @@ void finish_surface_mesh(Mesh& mesh, const CurveNetwork& network, std::size_t li
   const ConstraintTags tags = ConstraintTags::of(mesh);
   auto constraint = mesh.add_tag<EdgeId, std::int32_t>("constraint", -1);
   auto kind = mesh.add_tag<EdgeId, std::int32_t>("kind", kInteriorConstraint);
+  OuterEdges outer(mesh);
   for (const FaceId f : mesh.faces()) {
     for (int k = 0; mesh.alive(f) && k < mesh.corner_count(f); ++k) {
       const SideId s(f, k);
@@ -99,11 +134,12 @@ void finish_surface_mesh(Mesh& mesh, const CurveNetwork& network, std::size_t li
       if (!tags.constrained(s) || (t.valid() && t < s)) continue;
       const VertexId a = mesh.origin(s);
       const VertexId b = mesh.target(s);
+      if (!t.valid() && !outer.take(s)) continue;
       const EdgeId e = mesh.add_edge(a, b);
       const Vec3 middle = 0.5 * (mesh.point3(a) + mesh.point3(b));
       const PieceId curve = network.under_edge(tags.support[a], tags.support[b], middle);
       constraint[e] = curve.valid() ? number_of(network, curve, lines) : -1;
-      if (!t.valid()) kind[e] = kOuterBoundary;
+      if (!t.valid() && !outer.is_shared(s)) kind[e] = kOuterBoundary;
     }
   }
   auto pinch = mesh.add_tag<VertexId, std::uint8_t>(kPinchTag);

@@ -19,7 +19,7 @@ std::optional<std::string> crack_note(const RepairedSurface& repaired) {
 std::optional<std::string> limit_note(const SurfaceSizes::Limited& limited) {
   if (!(limited.share > 0)) return {};
   return fmt::format(
-      "elements are smaller than wanted on {:.2g} % of the surface, down to {:.3g} at ({:.9g}, {:.9g}, "
+      "elements are smaller than wanted on {:.3g} % of the surface, down to {:.3g} at ({:.9g}, {:.9g}, "
       "{:.9g}): "
       "details, walls or gaps ask for it",
       100 * limited.share, limited.smallest, limited.place.x, limited.place.y, limited.place.z);

@@ -19,13 +19,14 @@ struct RepairLine {
   const RepairCount& count;
 };
 
-std::array<RepairLine, 11> repair_lines(const RepairReport& repair) {
+std::array<RepairLine, 12> repair_lines(const RepairReport& repair) {
   return {
       {{"welded_points", "points that went into another", repair.welded},
        {"unused_points", "points without a triangle left out", repair.unused},
        {"degenerate_triangles", "triangles of fewer than three points left out", repair.degenerate},
        {"duplicate_triangles", "triangles that were there twice left out", repair.duplicate},
        {"hanging_triangles", "flat triangles that hung on an edge of two others left out", repair.hanging},
+       {"cap_triangles", "flat triangles left out, those across their longest edge cut instead", repair.caps},
        {"turned_triangles", "triangles turned to face as their neighbours do", repair.turned},
        {"filled_holes", "holes filled", repair.filled_holes},
        {"flat_triangles", "triangles without area kept", repair.flat},

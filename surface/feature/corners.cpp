@@ -7,6 +7,11 @@
 namespace quarry {
 namespace {
 
+// A corner beside another one that a straight way would miss by no more than this, in sizes, is a tooth.
+constexpr double kLowest = 0.1;
+
+double degrees(double radians) { return radians * 180 / std::numbers::pi; }
+
 class Turns {
  public:
   Turns(std::span<const Vec3> chain, ChainEnds ends, double reach)
@@ -17,12 +22,26 @@ class Turns {
     if (closed_) reach_ = std::min(reach_, along_.back() / 4);
   }
 
-  // In radians.
-  [[nodiscard]] double at(std::size_t i) const {
+  // In radians; with the reach of all others, or with a shorter one.
+  [[nodiscard]] double at(std::size_t i) const { return at(i, reach_); }
+  [[nodiscard]] double at(std::size_t i, double reach) const {
     const double before = i > 0 ? along_[i - 1] : along_[chain_.size() - 2] - total();
-    const Vec3 in = chain_[i] - place(std::min(along_[i] - reach_, before));
-    const Vec3 out = place(std::max(along_[i] + reach_, along_[i + 1])) - chain_[i];
+    const Vec3 in = chain_[i] - place(std::min(along_[i] - reach, before));
+    const Vec3 out = place(std::max(along_[i] + reach, along_[i + 1])) - chain_[i];
     return std::atan2(length(cross(in, out)), dot(in, out));
+  }
+
+  // How far the chain leaves a straight way from a point that stays past this one, to where the reach ends
+  // on the other side of it.
+  [[nodiscard]] double height(std::size_t i, std::size_t stays) const {
+    double back = along_[stays] - along_[i];
+    if (closed_ && std::abs(back) > 0.5 * total()) back -= std::copysign(total(), back);
+    const Vec3 from = chain_[stays];
+    const Vec3 way = place(along_[i] + (back > 0 ? -reach_ : reach_)) - from;
+    const Vec3 off = chain_[i] - from;
+    const double squared = dot(way, way);
+    const double share = squared > 0 ? std::clamp(dot(off, way) / squared, 0.0, 1.0) : 0.0;
+    return length(off - share * way);
   }
 
   // Along the chain, the shorter way where it is closed.
@@ -64,14 +83,20 @@ std::vector<std::uint32_t> find_corners(std::span<const Vec3> chain, ChainEnds e
   std::vector<Corner> found;
   for (std::uint32_t i = first; i + 1 < chain.size(); ++i) {
     const double turn = turns.at(i);
-    if (turn * 180 / std::numbers::pi >= options.corner_degrees) found.push_back({turn, i});
+    if (degrees(turn) >= options.corner_degrees) found.push_back({turn, i});
   }
   std::sort(found.begin(), found.end(), [](const Corner& a, const Corner& b) {
     return a.turn != b.turn ? a.turn > b.turn : a.at < b.at;
   });
   std::vector<std::uint32_t> corners;
   for (const Corner& corner : found) {
-    const auto close = [&](std::size_t other) { return turns.distance(corner.at, other) < options.size; };
+    // Between two that are close a curve may be bent all the way.
+    const auto close = [&](std::size_t other) {
+      const double away = turns.distance(corner.at, other);
+      if (away >= options.size) return false;
+      return degrees(turns.at(corner.at, away)) < options.corner_degrees ||
+             turns.height(corner.at, other) <= kLowest * options.size;
+    };
     const bool at_node = ends == ChainEnds::kNodes && (close(0) || close(chain.size() - 1));
     if (!at_node && std::none_of(corners.begin(), corners.end(), close)) corners.push_back(corner.at);
   }

@@ -17,8 +17,10 @@ enum class ChainEnds : std::uint8_t {
 
 // Numbers of points of a chain, ascending; never ends that are nodes. The turn at a point is the angle
 // between the chords from one `size` before it along the chain and to one behind it (of a chain without a
-// scale: its two edges), so that teeth of a ragged rim are no corners. The strongest turns win; no corner
-// lies nearer than `size` along the chain to a stronger one, or to a node.
+// scale: its two edges), so that teeth of a ragged rim are no corners. The strongest turns win; where a
+// corner lies nearer than `size` along the chain to a stronger one, or to a node, it is one only if it
+// turns as much between chords no longer than that, and a straight way past it would miss it by a tenth of
+// `size`.
 [[nodiscard]] std::vector<std::uint32_t> find_corners(std::span<const Vec3> chain, ChainEnds ends,
                                                       const FeatureOptions& options);
 

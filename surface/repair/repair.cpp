@@ -9,6 +9,7 @@
 #include "engine/base/error.hpp"
 #include "engine/parallel/parallel.hpp"
 #include "engine/parallel/sort.hpp"
+#include "surface/repair/caps.hpp"
 #include "surface/repair/fans.hpp"
 #include "surface/repair/fill_holes.hpp"
 #include "surface/repair/orient.hpp"
@@ -35,7 +36,8 @@ class Repair {
     if (surface_.triangles.empty()) throw Error(ErrorKind::kInput, "the surface has no triangle");
     SurfaceEdges edges(surface_);
     drop(hanging(edges), report_.hanging);
-    if (report_.hanging.count > 0) edges = SurfaceEdges(surface_);
+    cut_caps();
+    if (report_.hanging.count + report_.caps.count > 0) edges = SurfaceEdges(surface_);
     drop_unused_points();
     turn(edges);
     if (options_.fill_holes > 0) fill();
@@ -119,6 +121,12 @@ class Repair {
                    : 0;
     });
     return bad;
+  }
+
+  void cut_caps() {
+    for (const Vec3 place : cut_at_caps(surface_)) report_.caps.add(place);
+    if (report_.caps.count > 0) drop(duplicates(), report_.duplicate);
+    if (surface_.triangles.empty()) throw Error(ErrorKind::kGeometry, "the surface has no area");
   }
 
   void drop(const std::vector<std::uint8_t>& bad, RepairCount& count) {

@@ -39,6 +39,7 @@ struct RepairReport {
   RepairCount degenerate;    // triangles of fewer than three points, left out
   RepairCount duplicate;     // triangles that were there already, left out
   RepairCount hanging;       // flat triangles that hang on an edge of two others, left out
+  RepairCount caps;          // flat triangles, for which those across their longest edge were cut
   RepairCount turned;        // triangles
   RepairCount filled_holes;  // holes
   // What was found and left.

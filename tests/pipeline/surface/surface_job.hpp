@@ -41,6 +41,16 @@ inline SurfaceOptions options_for(const std::string& path, double count,
   return options;
 }
 
+inline double area_of(const Mesh& mesh) {
+  double area = 0;
+  for (const FaceId f : mesh.faces()) {
+    const auto corner = [&](int k) { return mesh.point3(mesh.corner(f, k)); };
+    for (int k = 2; k < mesh.corner_count(f); ++k)
+      area += 0.5 * length(cross(corner(k - 1) - corner(0), corner(k) - corner(0)));
+  }
+  return area;
+}
+
 // None in a finished mesh.
 inline std::size_t count_invalid(const SurfaceResult& result) {
   double area = 0;

@@ -31,6 +31,29 @@ TEST_F(SurfaceJob, MeetsTheCountWithinFivePerCent) {
     }
 }
 
+TEST_F(SurfaceJob, KeepsTheCornersOfAStripNarrowerThanTwoElements) {
+  for (const double width : {0.05, 0.1, 0.2, 0.3})
+    for (const SurfaceQuads method : {SurfaceQuads::kField, SurfaceQuads::kCluster}) {
+      SurfaceOptions options;
+      options.inputs = {file_of(
+          test::surface_of({{0, 0, 0}, {1, 0, 0}, {1, width, 0}, {0, width, 0}}, {{0, 1, 2}, {0, 2, 3}}))};
+      options.size = 0.1;
+      options.method = method;
+      EXPECT_NEAR(area_of(mesh_surface(options, Progress()).mesh), width, 1e-9) << width;
+    }
+}
+
+TEST_F(SurfaceJob, MeshesAHandfulOfCellsWhicheverWayTheyFace) {
+  TriangleSurface square = test::terrain(3, 3, [](double, double) { return 0.0; });
+  for (int side = 0; side < 2; ++side) {
+    SurfaceOptions options;
+    options.inputs = {file_of(square)};
+    options.size = 1.0 / 6;
+    EXPECT_EQ(mesh_surface(options, Progress()).mesh.count_alive_faces(), 36U);
+    for (SurfaceTriangle& t : square.triangles) std::swap(t[0], t[1]);
+  }
+}
+
 TEST_F(SurfaceJob, FollowsTheCurvatureWithinTheError) {
   // Flat on one side, with a ridge on the other.
   const auto ridge = [](double x, double) { return 0.05 / (1 + 400 * (x - 0.8) * (x - 0.8)); };
@@ -107,6 +130,21 @@ TEST_F(SurfaceJob, WritesPointsInWhichSheetsMeetOnce) {
   for (std::size_t i = 0; i < cells.x.size(); ++i) points.insert({cells.x[i], cells.y[i], cells.z[i]});
   EXPECT_EQ(points.size(), cells.x.size());
   EXPECT_LT(points.size(), result.mesh.count_alive_vertices());
+  EXPECT_EQ(points.size(), summarize_quality(result.mesh).vertices);
+}
+
+TEST_F(SurfaceJob, HasTheEdgesInWhichSheetsMeetOnceAndNotOnTheOuterBoundary) {
+  const SurfaceResult result = mesh_surface(options_for(file_of(test::three_sheets()), 600), Progress());
+  const Mesh& mesh = result.mesh;
+  const auto kind = mesh.find_tag<EdgeId, std::int32_t>("kind");
+  double met = 0, outer = 0;
+  for (const EdgeId e : mesh.edges()) {
+    const auto [a, b] = mesh.edge_ends(e);
+    const double along = length(mesh.point3(b) - mesh.point3(a));
+    (kind[e] == kOuterBoundary ? outer : met) += along;
+  }
+  EXPECT_NEAR(met, 1, 1e-9);
+  EXPECT_NEAR(outer, 9, 1e-9);
 }
 
 // Of the file: points at one place are one.

@@ -68,6 +68,34 @@ TEST(Repair, DropsFlatTrianglesThatHangOnAnEdgeAndKeepsThoseThatFillATJunction) 
   EXPECT_EQ(repair_surface(filled, {}).surface.triangles.size(), 4U);
 }
 
+TEST(Repair, CutsWhatLiesAcrossTheLongestEdgeOfAFlatTriangle) {
+  // A square of four triangles, one of which has its points in a row, but for rounding.
+  for (const double off : {0.0, 1e-16, -1e-16}) {
+    const RepairedSurface repaired =
+        repair_surface(test::surface_of({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, off}},
+                                        {{0, 1, 4}, {1, 2, 4}, {0, 4, 2}, {0, 2, 3}}),
+                       {});
+    EXPECT_EQ(repaired.report.caps.count, 1U);
+    EXPECT_EQ(repaired.report.flat.count, 0U);
+    EXPECT_EQ(repaired.report.open_edges, 4U);
+    ASSERT_EQ(repaired.surface.triangles.size(), 4U);
+    for (const SurfaceTriangle& t : repaired.surface.triangles)
+      EXPECT_NEAR(length(doubled_area(repaired.surface, t)), 0.5, 1e-9);
+  }
+}
+
+TEST(Repair, CutsAtFlatTrianglesThatLieUponOneAnother) {
+  // Of five points in a row, fanned from the first, between a large triangle and four.
+  const RepairedSurface repaired = repair_surface(
+      test::surface_of(
+          {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {4, 0, 0}, {2, 2, 0}, {2, -2, 0}},
+          {{0, 4, 5}, {0, 3, 4}, {0, 2, 3}, {0, 1, 2}, {1, 0, 6}, {2, 1, 6}, {3, 2, 6}, {4, 3, 6}}),
+      {});
+  EXPECT_EQ(repaired.report.caps.count, 3U);
+  EXPECT_EQ(repaired.surface.triangles.size(), 8U);
+  EXPECT_EQ(repaired.report.open_edges, 4U);
+}
+
 TEST(Repair, DropsDegenerateAndDuplicateTrianglesAndTellsWhere) {
   TriangleSurface cube = test::cube();
   cube.triangles.push_back({3, 2, 0});  // there already, the other way round
