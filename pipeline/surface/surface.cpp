@@ -49,6 +49,20 @@ constexpr double kCountTolerance = 0.05;
 constexpr int kMostAttempts = 7;
 constexpr std::size_t kMostInvalid = 24;
 
+// Edges of rims that are kept are long for elements from so many sizes on.
+constexpr double kLongKeptRim = 2;
+// Beside longer ones than that remeshing makes ever more triangles, none of which is good.
+constexpr double kLongestKeptRim = 4;
+
+double longest_outer_edge(const Mesh& mesh) {
+  double longest = 0;
+  for (const FaceId f : mesh.faces())
+    for (int k = 0; k < mesh.corner_count(f); ++k)
+      if (const SideId s(f, k); !mesh.neighbour(s).valid())
+        longest = std::max(longest, length(mesh.point3(mesh.target(s)) - mesh.point3(mesh.origin(s))));
+  return longest;
+}
+
 class SurfaceJob {
  public:
   SurfaceJob(const SurfaceOptions& options, SurfaceResult& result, const Progress& progress)
@@ -145,7 +159,9 @@ class SurfaceJob {
     for (int attempt = 1;; ++attempt) {
       if (!mesh(repaired)) return false;
       if (invalid_.empty()) break;
-      if (attempt == kMostAttempts || invalid_.size() > kMostInvalid) refuse_invalid();
+      // Beside edges of rims that stay as long as they are, smaller elements are no help.
+      if (attempt == kMostAttempts || invalid_.size() > kMostInvalid || kept_rim_ > 0)
+        throw Error(ErrorKind::kGeometry, invalid_note(invalid_, kept_rim_));
       tight_.insert(tight_.end(), invalid_.begin(), invalid_.end());
       strictness_ *= 2;
     }
@@ -154,8 +170,6 @@ class SurfaceJob {
           "elements are smaller at {} places where some had been inverted or upside down", tight_.size()));
     return true;
   }
-
-  [[noreturn]] void refuse_invalid() const { throw Error(ErrorKind::kGeometry, invalid_note(invalid_)); }
 
   // Where faces are invalid, and half the edge that they began with.
   void find_invalid(const SurfaceModel& model, const SurfaceSizes& sizes) {
@@ -181,7 +195,12 @@ class SurfaceJob {
     Mesh& elements = result_.mesh;
     elements = make_sheets(repaired);
     const ConstraintTags tags = bind_features(elements, network);
-    if (options_.keep_boundary) fix_rims(elements, tags);
+    if (options_.keep_boundary) {
+      fix_rims(elements, tags);
+      const double longest = longest_outer_edge(elements);
+      if (longest > kLongestKeptRim * result_.size) throw Error(ErrorKind::kGeometry, kept_rim_note(longest));
+      kept_rim_ = longest > kLongKeptRim * result_.size ? longest : 0;
+    }
     const SurfaceModel model(elements, tags, kPointSpacing * result_.size);
     clock_.start("finding sizes");
     SizeDemands demands{.edge = edge, .size = result_.size, .area = area_, .tight = tight_};
@@ -275,6 +294,7 @@ class SurfaceJob {
   // where they came out invalid.
   double strictness_ = 1;
   std::vector<TightPlace> tight_, invalid_;
+  double kept_rim_ = 0;  // as for invalid_note
   SurfaceSizes::Limited limited_;
   SurfaceResult& result_;
 };

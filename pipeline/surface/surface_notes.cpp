@@ -25,14 +25,23 @@ std::optional<std::string> limit_note(const SurfaceSizes::Limited& limited) {
       100 * limited.share, limited.smallest, limited.place.x, limited.place.y, limited.place.z);
 }
 
-std::string invalid_note(const std::vector<TightPlace>& invalid) {
-  const Vec3 p = invalid.front().place;
+std::string kept_rim_note(double longest) {
   return fmt::format(
-      "{} elements are inverted, flat or upside down, the first at ({:.9g}, {:.9g}, {:.9g}): the surface has "
-      "details, walls or strips between features smaller than the elements there, or runs through itself; "
-      "take a "
-      "smaller --size",
-      invalid.size(), p.x, p.y, p.z);
+      "--keep-boundary keeps edges of rims up to {:.4g} long, far longer than elements; take a --size of "
+      "about "
+      "that, or divide the rims before",
+      longest);
+}
+
+std::string invalid_note(const std::vector<TightPlace>& invalid, double kept_rim) {
+  const Vec3 p = invalid.front().place;
+  const std::string what =
+      fmt::format("{} elements are inverted, flat or upside down, the first at ({:.9g}, {:.9g}, {:.9g}): ",
+                  invalid.size(), p.x, p.y, p.z);
+  if (kept_rim > 0) return what + kept_rim_note(kept_rim);
+  return what +
+         "the surface has details, walls or strips between features smaller than the elements there, or runs "
+         "through itself; take a smaller --size";
 }
 
 }  // namespace quarry

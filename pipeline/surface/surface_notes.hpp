@@ -17,7 +17,12 @@ namespace quarry {
 // Where elements are smaller than wanted, and how small (input units); none where nothing limits them.
 [[nodiscard]] std::optional<std::string> limit_note(const SurfaceSizes::Limited& limited);
 
-// Why there is no mesh: where elements came out inverted, flat or upside down; one place at least.
-[[nodiscard]] std::string invalid_note(const std::vector<TightPlace>& invalid);
+// That edges of rims which stay as they are, up to so long (input units), are too long for the elements.
+[[nodiscard]] std::string kept_rim_note(double longest);
+
+// Why there is no mesh: where elements came out inverted, flat or upside down; one place at least. kept_rim:
+// the longest edge of rims that stay as they are (input units), where it is too long for the elements; else
+// 0.
+[[nodiscard]] std::string invalid_note(const std::vector<TightPlace>& invalid, double kept_rim);
 
 }  // namespace quarry

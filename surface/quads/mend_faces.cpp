@@ -14,19 +14,26 @@ namespace {
 
 // How many rings of faces around a bad one may change.
 constexpr std::array kRings = {1, 2, 4};
+// More than so many, and than one in so many, are no matter of single faces: smoothing around each of them
+// would take longer than all else, and leave most of them.
+constexpr std::size_t kManyBad = 50;
+constexpr std::size_t kFacesToABad = 50;
 constexpr LocalShapeOptions kEffort{.untangling_sweeps = 30, .sweeps = 10};
 
 class FaceMender {
  public:
-  FaceMender(Mesh& mesh, const ConstraintTags& tags, const SpaceModel& model)
-      : mesh_(mesh), tags_(tags), smoother_(model), normals_(mesh.normals()) {}
+  FaceMender(Mesh& mesh, const ConstraintTags& tags, const SpaceModel& model, const Progress& progress)
+      : mesh_(mesh), tags_(tags), smoother_(model), normals_(mesh.normals()), progress_(progress) {}
 
   std::size_t run() {
     const auto bad = parallel::filter_indices(
         mesh_.face_slots(), [&](std::size_t i) { return mesh_.alive(FaceId(i)) && is_bad(FaceId(i)); });
-    for (const std::uint32_t i : bad)
+    if (bad.size() > std::max(kManyBad, mesh_.count_alive_faces() / kFacesToABad)) return bad.size();
+    for (const std::uint32_t i : bad) {
+      progress_.throw_if_cancelled();
       for (const int rings : kRings)
         if (is_bad(FaceId(i))) mend(FaceId(i), rings);
+    }
     return static_cast<std::size_t>(
         std::count_if(bad.begin(), bad.end(), [&](std::uint32_t i) { return is_bad(FaceId(i)); }));
   }
@@ -75,6 +82,7 @@ class FaceMender {
   const ConstraintTags& tags_;
   LocalSmoother<SpaceModel> smoother_;
   Tag<VertexId, Vec3> normals_;
+  const Progress& progress_;
   std::vector<FaceId> faces_;
   std::vector<VertexId> vertices_;
   std::vector<SpacePoint> places_;
@@ -82,8 +90,9 @@ class FaceMender {
 
 }  // namespace
 
-std::size_t mend_faces(Mesh& mesh, const ConstraintTags& tags, const SpaceModel& model) {
-  return FaceMender(mesh, tags, model).run();
+std::size_t mend_faces(Mesh& mesh, const ConstraintTags& tags, const SpaceModel& model,
+                       const Progress& progress) {
+  return FaceMender(mesh, tags, model, progress).run();
 }
 
 }  // namespace quarry

@@ -86,7 +86,7 @@ class SurfaceQuads {
   void mend() {
     const ConstraintTags tags = ConstraintTags::of(mesh_);
     clear_feature_normals(mesh_, tags);
-    report_.turned_over = mend_faces(mesh_, tags, model_);
+    report_.turned_over = mend_faces(mesh_, tags, model_, progress_);
   }
 
   void clean_up() {

@@ -129,6 +129,19 @@ TEST_F(SurfaceJob, KeepsTheVerticesOfRimsIfAsked) {
   }
 }
 
+TEST_F(SurfaceJob, RefusesToKeepARimWhoseEdgesAreFarLongerThanElements) {
+  SurfaceOptions options = matching_for(
+      file_of(test::surface_of({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}})), 100);
+  options.keep_boundary = true;
+  try {
+    (void)mesh_surface(options, Progress());
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::kGeometry);
+    EXPECT_NE(std::string(error.what()).find("rims up to 1 long"), std::string::npos) << error.what();
+  }
+}
+
 TEST_F(SurfaceJob, RefusesToKeepAnOddRimOfQuads) {
   TriangleSurface open = test::sphere(4);
   open.triangles.pop_back();
