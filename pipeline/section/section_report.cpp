@@ -10,6 +10,7 @@
 
 #include "io/lines/companion_file.hpp"
 #include "pipeline/report/input_hash.hpp"
+#include "pipeline/report/line_description.hpp"
 #include "pipeline/report/line_distance.hpp"
 #include "pipeline/report/low_quad_counts.hpp"
 #include "pipeline/report/region_summary.hpp"
@@ -166,21 +167,6 @@ std::string hash_inputs(const SectionOptions& options) { return hash_files(input
 
 namespace {
 
-// What the input says of its lines, as far as it says anything.
-void describe_lines(const LineSet& lines, JobReport& report) {
-  const IdRange<LineId> all(lines.lines.size());
-  if (!lines.attributes.empty())
-    for (const LineId id : all) report.line_attributes.push_back(lines.attributes_of(id));
-  if (!lines.attributes.empty())
-    for (const PointId id : IdRange<PointId>(lines.points.size()))
-      report.point_attributes.push_back(lines.attributes_of(id));
-  if (lines.files.size() > 1)
-    for (const LineId id : all) report.line_files.push_back(lines.lines[id].file);
-  if (std::ranges::all_of(lines.systems, [](const CoordinateSystem& s) { return s.definition.empty(); }))
-    return;
-  for (const CoordinateSystem& system : lines.systems) report.coordinate_systems.push_back(system.definition);
-}
-
 // Those of the last mesh that --count asked for, in the order in which they ran; none of a job that only
 // cleans.
 std::vector<PassReport> passes_of(const SectionOptions& options, const SectionResult& result) {
@@ -214,7 +200,7 @@ JobReport report_section(const SectionOptions& options, const SectionResult& res
   report.outline = result.outline.text;
   report.lines = result.cleaned.ledger;
   report.points = result.cleaned.points;
-  describe_lines(result.lines, report);
+  describe_lines(result.lines, 0, report);
   if (result.mesh.face_slots() > 0) {
     report.line_distances = measure_line_distances(result.mesh, result.lines, result.cleaned.ledger);
     report.regions = summarize_regions(result.mesh, result.groups);

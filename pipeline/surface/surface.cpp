@@ -7,13 +7,13 @@
 #include <fmt/format.h>
 
 #include "engine/base/error.hpp"
-#include "engine/base/log.hpp"
 #include "io/lines/line_reader.hpp"
 #include "pipeline/report/count_note.hpp"
 #include "pipeline/surface/elements.hpp"
 #include "pipeline/surface/find_surface_sizes.hpp"
 #include "pipeline/surface/finish_surface.hpp"
 #include "pipeline/surface/read_surface.hpp"
+#include "pipeline/surface/surface_lines.hpp"
 #include "pipeline/surface/surface_notes.hpp"
 #include "surface/feature/bind.hpp"
 #include "surface/join/divide_joins.hpp"
@@ -28,12 +28,6 @@ double area_of(const TriangleSurface& surface) {
   for (const SurfaceTriangle& t : surface.triangles) area += 0.5 * length(doubled_area(surface, t));
   return area;
 }
-
-// Of lines: how they are led, in edges of triangles; and by default, in sizes, what they snap to and how far
-// from the surface they may lie.
-constexpr double kImprintStep = 0.5;
-constexpr double kDefaultSnap = 0.05;
-constexpr double kImprintReach = 1;
 
 // Of the points of the surface that elements have to come near to, in sizes.
 constexpr double kPointSpacing = 0.5;
@@ -75,6 +69,7 @@ class SurfaceJob {
     RepairedSurface repaired = repair_surface(std::move(surface), options_.repair);
     result_.repaired = repaired.surface;
     result_.repair = repaired.report;
+    if (!options_.lines.empty()) result_.lines = read_lines(options_.lines);
     if (options_.repair.weld == 0) add(crack_note(repaired));
     find_size(repaired.surface);
     meet_count(repaired);
@@ -101,6 +96,7 @@ class SurfaceJob {
       result_.names = last.names;
       result_.repaired = std::move(last.repaired);
       result_.repair = last.repair;
+      result_.lines = last.lines;
       result_.notes = notes;
       result_.size = last.size * std::clamp(std::sqrt(ratio), 1 / kMostScale, kMostScale);
       if (meshes_by_method(repaired) && miss() < before) continue;
@@ -213,7 +209,7 @@ class SurfaceJob {
     find_invalid(model, sizes);
     if (!invalid_.empty()) return true;
     set_surface_regions(elements, repaired.surface.groups, model);
-    finish_surface_mesh(elements, network, result_.lines);
+    finish_surface_mesh(elements, network, result_.lines.lines.size());
     return true;
   }
 
@@ -227,8 +223,8 @@ class SurfaceJob {
     divide_joins(repaired, {.edge = join_edge(options_.elements, result_.method) * result_.size,
                             .deviation = RemeshOptions().feature_deviation * edge,
                             .corners = features});
-    result_.imprint = {};
-    std::vector<LineEdge> lines = imprint(repaired, edge);
+    if (!options_.lines.empty()) clock_.start("imprinting lines");
+    std::vector<LineEdge> lines = imprint_input(repaired, options_, result_);
     if (halved) halve_joins(repaired);
     return lines;
   }
@@ -244,29 +240,6 @@ class SurfaceJob {
                   fmt::format("about {:.3g} elements are to be expected, more than --max-elements "
                               "{:g}: take a larger --size",
                               elements, options_.max_elements));
-  }
-
-  [[nodiscard]] std::vector<LineEdge> imprint(RepairedSurface& repaired, double edge) {
-    if (options_.lines.empty()) return {};
-    clock_.start("imprinting lines");
-    const LineSet input = read_lines(options_.lines);
-    if (!input.points.empty())
-      log::warn("{} points of --lines are left out: on surfaces they are planned", input.points.size());
-    result_.lines = input.lines.size();
-    std::vector<SurfaceLine> lines;
-    for (const InputLine& line : input.lines) {
-      SurfaceLine on_surface;
-      on_surface.has_heights = !line.heights.empty();
-      for (std::size_t i = 0; i < line.points.size(); ++i)
-        on_surface.points.push_back(
-            {line.points[i].x, line.points[i].y, on_surface.has_heights ? line.heights[i] : 0});
-      lines.push_back(std::move(on_surface));
-    }
-    ImprintOptions imprint;
-    imprint.step = kImprintStep * edge;
-    imprint.snap = options_.snap.value_or(kDefaultSnap * result_.size);
-    imprint.reach = kImprintReach * result_.size;
-    return imprint_lines(repaired, lines, imprint, result_.imprint);
   }
 
   void count(const FeatureEdges& found, const CurveNetwork& network) {

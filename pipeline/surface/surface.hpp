@@ -74,8 +74,8 @@ struct SurfaceResult {
   RepairReport repair;
   FeatureCounts features;
   ImprintReport imprint;
-  std::size_t lines = 0;  // read
-  double size = 0;        // as used
+  LineSet lines;    // read
+  double size = 0;  // as used
   RemeshReport remesh;
   SurfaceQuads method = SurfaceQuads::kCluster;  // as used
   LatticeReport lattice;                         // of kField

@@ -6,7 +6,9 @@
 
 #include <fmt/format.h>
 
+#include "pipeline/report/line_description.hpp"
 #include "pipeline/report/region_summary.hpp"
+#include "pipeline/surface/surface_lines.hpp"
 
 namespace quarry {
 namespace {
@@ -94,13 +96,16 @@ JobReport report_surface(const SurfaceOptions& options, const SurfaceResult& res
   }
   report.notes = result.notes;
   if (!options.lines.empty()) {
+    describe_lines(result.lines, static_cast<std::uint32_t>(report.input_files.size()), report);
     report.input_files.insert(report.input_files.end(), options.lines.begin(), options.lines.end());
-    report.counts.insert(report.counts.end(), {{"lines", whole(result.lines)},
+    report.counts.insert(report.counts.end(), {{"lines", whole(result.lines.lines.size())},
                                                {"imprinted_lines", whole(result.imprint.imprinted)},
                                                {"line_ends_outside", whole(result.imprint.outside.count)},
                                                {"lost_stretches", whole(result.imprint.lost.count)}});
+    report.lines = ledger_of(result.imprint);
+    report.line_distances = line_distances(result);
     report.notes.push_back(fmt::format("{} of {} lines lie on the surface, with all or a part of them",
-                                       result.imprint.imprinted, result.lines));
+                                       result.imprint.imprinted, result.lines.lines.size()));
     if (result.imprint.outside.count > 0)
       report.notes.push_back(fmt::format("{} times a line leaves the surface or comes to it, at{}",
                                          result.imprint.outside.count, places_of(result.imprint.outside)));

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
+#include <map>
 #include <optional>
+#include <set>
 
 #include "surface/imprint/split_surface.hpp"
 #include "surface/project/triangle_tree.hpp"
@@ -29,17 +32,19 @@ class Imprinter {
   void add(const SurfaceLine& line, std::int32_t number) {
     line_ = &line;
     number_ = number;
-    const std::size_t marks = split_.marks().size();
+    course_ = &courses_.emplace_back();
+    told_ = &report_.lines.emplace_back();
     last_.reset();
     for (std::size_t i = 0; i < line.points.size(); ++i) {
       if (i > 0) lead(line.points[i - 1], line.points[i]);
       visit(line.points[i], true);
     }
-    if (split_.marks().size() > marks) ++report_.imprinted;
+    if (told_->edges + told_->shared > 0) ++report_.imprinted;
   }
 
   std::vector<LineEdge> finish() {
     split_.finish();
+    find_meetings();
     std::vector<LineEdge> edges;
     for (const auto& [ends, number] : split_.marks()) edges.push_back({ends, number});
     return edges;
@@ -87,6 +92,7 @@ class Imprinter {
       (foot_of(middle) ? on : off) = middle;
     }
     report_.outside.add(on);
+    ++told_->outside;
     visit(on, true);
   }
 
@@ -100,8 +106,13 @@ class Imprinter {
     }
     if (!must && last_ && length(split_.point(*last_) - foot->place) < 0.5 * options_.step) return;
     const std::uint32_t next = split_.point_at(foot->triangle, foot->place, options_.snap);
-    if (last_ && *last_ != next && !go(*last_, next)) report_.lost.add(foot->place);
+    if (must) told_->places.push_back(foot->place);
+    if (last_ && *last_ != next && !go(*last_, next)) {
+      report_.lost.add(foot->place);
+      ++told_->lost;
+    }
     last_ = next;
+    course_->push_back(next);
   }
 
   // From point to point, through edges that are there or that cutting makes; each step comes nearer to the
@@ -110,10 +121,37 @@ class Imprinter {
     while (from != aim) {
       const std::optional<std::uint32_t> next = step(from, aim);
       if (!next) return false;
-      split_.mark(from, *next, number_);
+      const std::int32_t owner = split_.mark(from, *next, number_);
+      ++(owner == number_ ? told_->edges : told_->shared);
+      if (owner != number_) report_.lines[static_cast<std::size_t>(owner)].lends = true;
       from = *next;
+      course_->push_back(from);
     }
     return true;
+  }
+
+  // Of each line, the others that have points of it.
+  void find_meetings() {
+    std::map<std::uint32_t, std::set<std::int32_t>> at;
+    for (const auto& [ends, number] : split_.marks())
+      for (const std::uint32_t p : ends) at[p].insert(number);
+    for (std::size_t i = 0; i < courses_.size(); ++i)
+      for (const std::uint32_t p : courses_[i]) at[p].insert(static_cast<std::int32_t>(i));
+    for (const auto& [p, lines] : at) {
+      if (lines.size() < 2) continue;
+      for (const std::int32_t line : lines) {
+        const std::vector<std::uint32_t>& course = courses_[static_cast<std::size_t>(line)];
+        ImprintedLine& told = report_.lines[static_cast<std::size_t>(line)];
+        told.meets = told.meets || (p != course.front() && p != course.back());
+        told.with.insert(told.with.end(), lines.begin(), lines.end());
+      }
+    }
+    for (std::size_t i = 0; i < report_.lines.size(); ++i) {
+      std::vector<std::int32_t>& with = report_.lines[i].with;
+      std::sort(with.begin(), with.end());
+      with.erase(std::unique(with.begin(), with.end()), with.end());
+      std::erase(with, static_cast<std::int32_t>(i));
+    }
   }
 
   struct Way {
@@ -168,13 +206,17 @@ class Imprinter {
   double top_ = 0;
   const SurfaceLine* line_ = nullptr;
   std::int32_t number_ = 0;
-  std::optional<std::uint32_t> last_;  // the point of the surface that the line has come to
+  ImprintedLine* told_ = nullptr;
+  std::vector<std::uint32_t>* course_ = nullptr;
+  std::deque<std::vector<std::uint32_t>> courses_;  // by line: the points of the surface that it goes through
+  std::optional<std::uint32_t> last_;               // the point of the surface that the line has come to
 };
 
 }  // namespace
 
 std::vector<LineEdge> imprint_lines(RepairedSurface& repaired, std::span<const SurfaceLine> lines,
                                     const ImprintOptions& options, ImprintReport& report) {
+  report.lines.reserve(lines.size());
   Imprinter imprinter(repaired, options, report);
   for (std::size_t i = 0; i < lines.size(); ++i) imprinter.add(lines[i], static_cast<std::int32_t>(i));
   return imprinter.finish();

@@ -29,10 +29,23 @@ struct ImprintOptions {
   double reach = 0;
 };
 
+// What became of a line.
+struct ImprintedLine {
+  std::uint64_t edges = 0;         // that bear its number, when it was cut in
+  std::uint64_t shared = 0;        // that it goes along, and that a line before it has
+  std::uint64_t outside = 0;       // how often it leaves the surface or comes to it
+  std::uint64_t lost = 0;          // its stretches that could not be followed
+  bool lends = false;              // edges of its own to lines behind it
+  bool meets = false;              // other lines between its ends
+  std::vector<std::int32_t> with;  // lines with which it shares edges or points, ascending
+  std::vector<Vec3> places;        // of its points, and where it leaves and comes to the surface: on it
+};
+
 struct ImprintReport {
   RepairCount outside;          // ends of stretches that do not lie on the surface, left out
   RepairCount lost;             // stretches that could not be followed across the surface, left out
   std::uint64_t imprinted = 0;  // lines of which something lies on the surface
+  std::vector<ImprintedLine> lines;
 };
 
 // An edge that a line goes along.

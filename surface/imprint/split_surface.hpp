@@ -26,9 +26,9 @@ class SplitSurface {
   // Halves the edge, in all triangles that have it. Returns the new point.
   std::uint32_t split_edge(std::uint32_t a, std::uint32_t b, Vec3 place);
 
-  // Marks an edge with a number, unless it has one.
-  void mark(std::uint32_t a, std::uint32_t b, std::int32_t number) {
-    marks_.try_emplace(join_of(a, b), number);
+  // Marks an edge with a number, unless it has one. Returns its number.
+  std::int32_t mark(std::uint32_t a, std::uint32_t b, std::int32_t number) {
+    return marks_.try_emplace(join_of(a, b), number).first->second;
   }
   [[nodiscard]] const std::map<SheetJoin, std::int32_t>& marks() const { return marks_; }
 

@@ -103,6 +103,35 @@ TEST_F(SurfaceJob, KeepsLinesAsChainsWithTheirNumbers) {
   EXPECT_GT(summarize_quality(mesh).quads.scaled_jacobian.min, 0.2);
 }
 
+TEST_F(SurfaceJob, TellsWhatBecameOfEachLine) {
+  const std::string lines = folder_.file("lines.geojson");
+  std::ofstream(lines) << R"({"type":"FeatureCollection","features":[)"
+                          R"({"type":"Feature","properties":{"name":"first"},"geometry":)"
+                          R"({"type":"LineString","coordinates":[[0.1,0.2],[0.9,0.2]]}},)"
+                          R"({"type":"Feature","properties":{},"geometry":{"type":"MultiLineString",)"
+                          R"("coordinates":[[[0.1,0.2],[0.9,0.2]],[[0.5,0.4],[0.5,1.4]],[[3,3],[4,4]],)"
+                          R"([[0.2,0.5],[0.8,0.5]],[[0.2,0.8],[0.3,0.9]]]}}]})";
+  SurfaceOptions options = options_for(file_of(test::terrain(9, 9, [](double, double) { return 0.0; })), 400);
+  options.lines = {lines};
+  const SurfaceResult result = mesh_surface(options, Progress());
+  const JobReport report = report_surface(options, result, summarize_quality(result.mesh));
+  const std::vector<LineFate> fates = {LineFate::kJoined,  LineFate::kJoined, LineFate::kClipped,
+                                       LineFate::kDropped, LineFate::kSplit,  LineFate::kKept};
+  ASSERT_EQ(report.lines.size(), fates.size());
+  for (std::size_t i = 0; i < fates.size(); ++i) {
+    const LineId line(i);
+    EXPECT_EQ(report.lines[line].fate, fates[i]) << i;
+    EXPECT_EQ(report.lines[line].why.empty(), i >= 4) << i;
+    EXPECT_EQ(std::isnan(report.line_distances[line]), i == 3) << i;
+    if (i != 3) {
+      EXPECT_LT(report.line_distances[line], 1e-6) << i;
+    }
+  }
+  EXPECT_EQ(report.lines[LineId(1U)].with, std::vector<LineId>{LineId(0U)});
+  EXPECT_EQ(report.lines[LineId(4U)].with, std::vector<LineId>{LineId(2U)});
+  EXPECT_EQ(report.line_attributes[LineId(0U)].name, "first");
+}
+
 TEST_F(SurfaceJob, KeepsGroupsAsRegionsWithTheirNames) {
   TriangleSurface flat = test::terrain(20, 20, [](double, double) { return 0.0; });
   for (std::size_t t = 0; t < flat.triangles.size(); ++t) flat.groups[t] = t < 400 ? 1 : 2;
