@@ -28,7 +28,8 @@ class CapCutter {
   std::vector<Vec3> run() {
     std::vector<std::uint8_t> flat(surface_.triangles.size());
     parallel::for_each(flat.size(), [&](std::size_t t) { flat[t] = apex_of(surface_.triangles[t]) ? 1 : 0; });
-    if (std::find(flat.begin(), flat.end(), 1) == flat.end()) return {};
+    const auto count = std::count(flat.begin(), flat.end(), 1);
+    if (count == 0 || count == std::ssize(flat)) return {};
     around_.resize(surface_.points.size());
     for (std::uint32_t t = 0; t < surface_.triangles.size(); ++t)
       for (const std::uint32_t p : surface_.triangles[t]) around_[p].push_back(t);
