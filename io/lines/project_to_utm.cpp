@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "engine/base/error.hpp"
-#include "io/lines/coordinate_limit.hpp"
+#include "io/coordinate_limit.hpp"
 #include "io/lines/coordinate_system.hpp"
 #include "io/lines/proj_context.hpp"
 

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <filesystem>
 
 #include <fmt/format.h>
 
 #include "engine/base/error.hpp"
+#include "io/coordinate_limit.hpp"
 #include "io/lower_case.hpp"
 #include "io/mesh/avs_format.hpp"
 #include "io/mesh/exodus_format.hpp"
@@ -96,10 +96,13 @@ const MeshFormat& read_format_of(const std::string& path) {
 
 void check_points(const std::string& path, const ReadCells& cells) {
   for (std::size_t i = 0; i < cells.x.size(); ++i)
-    if (!std::isfinite(cells.x[i]) || !std::isfinite(cells.y[i]) || !std::isfinite(cells.z[i]))
-      throw Error(ErrorKind::kInput,
-                  fmt::format("{}: point {} has a coordinate that is not a finite number: ({}, {}, {})", path,
-                              i, cells.x[i], cells.y[i], cells.z[i]));
+    if (!is_usable_coordinate(cells.x[i]) || !is_usable_coordinate(cells.y[i]) ||
+        !is_usable_coordinate(cells.z[i]))
+      throw Error(
+          ErrorKind::kInput,
+          fmt::format("{}: point {} has a coordinate that is not a usable number; the largest is {:g}: "
+                      "({}, {}, {})",
+                      path, i, kLargestCoordinate, cells.x[i], cells.y[i], cells.z[i]));
 }
 
 }  // namespace
