@@ -1,4 +1,3 @@
-#include <cstdio>
 #include <memory>
 #include <string>
 
@@ -7,6 +6,7 @@
 #include "io/mesh/mesh_format.hpp"
 #include "pipeline/cli/commands.hpp"
 #include "pipeline/cli/common_arguments.hpp"
+#include "pipeline/cli/outputs.hpp"
 #include "pipeline/report/job_report.hpp"
 
 namespace quarry::cli {
@@ -58,8 +58,7 @@ std::string table(const QualitySummary& quality) {
 
 void run(const QualityArguments& arguments) {
   const QualitySummary quality = summarize_quality(read_mesh(arguments.input));
-  const std::string text = arguments.json ? quality_text(quality) : table(quality);
-  std::fwrite(text.data(), 1, text.size(), stdout);
+  write_standard_output(arguments.json ? quality_text(quality) : table(quality));
 }
 
 }  // namespace
