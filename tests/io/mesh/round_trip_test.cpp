@@ -147,16 +147,23 @@ INSTANTIATE_TEST_SUITE_P(All, MeshFormat,
                                   (instance.param.compress ? "Compressed" : "");
                          });
 
-TEST(MeshFormats, AreNamedWhenAnExtensionIsNotKnown) {
-  for (const char* path : {"mesh.stp", "mesh"}) {
-    try {
-      check_readable_extension(path);
-      FAIL() << "no error";
-    } catch (const Error& error) {
-      EXPECT_EQ(error.kind(), ErrorKind::kUsage);
-      EXPECT_NE(error.message().find(".vtu, .msh, .obj, .inp"), std::string::npos);
+TEST(MeshFormats, ThatAreReadOrWrittenAreNamedWhenAnExtensionIsNotKnown) {
+  const auto expect_named = [](void (*check)(const std::string&), const std::string& formats) {
+    for (const char* path : {"mesh.stp", "mesh"}) {
+      try {
+        check(path);
+        FAIL() << "no error";
+      } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), ErrorKind::kUsage);
+        EXPECT_NE(error.message().find("is not known; use one of " + formats), std::string::npos)
+            << error.message();
+      }
     }
-  }
+  };
+  expect_named(check_readable_extension, readable_mesh_formats());
+  expect_named(check_writable_extension, writable_mesh_formats());
+  EXPECT_EQ(readable_mesh_formats().find(".vtkhdf"), std::string::npos);
+  EXPECT_EQ(writable_mesh_formats().find(".off"), std::string::npos);
 }
 
 TEST(MeshFormats, AreRefusedWhenTheyAreOnlyRead) {
