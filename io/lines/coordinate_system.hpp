@@ -26,9 +26,10 @@ namespace quarry {
 [[nodiscard]] bool look_like_degrees(const LineSet& lines, std::uint32_t file);
 
 // Brings the lines of all files to the plane of the UTM zone (WGS 84) in which the middle of the files in
-// degrees lies, and says which that is. extra: lines that go with them, an outline. Throws Error(kInput)
-// where a file does not say what its coordinates are, where PROJ does not know it, and for points that have
-// no place in the plane.
+// degrees lies, and says which that is; lines wider than 180 degrees of longitude lie across the
+// antimeridian. extra: lines that go with them, an outline. Throws Error(kInput) where a file does not say
+// what its coordinates are, where PROJ does not know it, for points in degrees more than 20 degrees of
+// longitude from the middle of the zone, and for points that have no place in the plane.
 [[nodiscard]] std::string project_to_utm(LineSet& lines, LineSet* extra);
 
 }  // namespace quarry

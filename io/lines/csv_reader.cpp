@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "engine/base/error.hpp"
-#include "io/lines/coordinate_limit.hpp"
+#include "io/coordinate_limit.hpp"
 #include "io/lines/coordinate_system.hpp"
 #include "io/lines/csv_columns.hpp"
 #include "io/lines/csv_rows.hpp"

@@ -1,6 +1,9 @@
 #include "io/lines/dbf_table.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cstdint>
+#include <cstdio>
 
 #include <fmt/format.h>
 
@@ -10,6 +13,24 @@
 #include "io/lines/text_encoding.hpp"
 
 namespace quarry {
+namespace {
+
+// What is cut off would read as records without attributes.
+void require_whole(const std::string& path, DBFInfo& table) {
+  table.sHooks.FSeek(table.fp, 0, SEEK_END);
+  const std::uint64_t bytes = table.sHooks.FTell(table.fp);
+  const auto header = static_cast<std::uint64_t>(std::max(table.nHeaderLength, 0));
+  const auto length = static_cast<std::uint64_t>(std::max(table.nRecordLength, 1));
+  const std::uint64_t there = bytes > header ? (bytes - header) / length : 0;
+  if (table.nRecords > 0 && there < static_cast<std::uint64_t>(table.nRecords))
+    throw Error(ErrorKind::kInput,
+                fmt::format("{}: the file ends too early: {} records are announced, and {} "
+                            "are there; correct or remove it",
+                            path, table.nRecords, there));
+}
+
+}  // namespace
+
 DbfTable::DbfTable(const std::string& path) {
   if (path.empty()) return;
   SAHooks hooks = make_shapelib_hooks();
@@ -17,6 +38,7 @@ DbfTable::DbfTable(const std::string& path) {
   if (!table_)
     throw Error(ErrorKind::kInput, fmt::format("{}: no dBASE table{}{}; correct or remove it", path,
                                                shapelib_message.empty() ? "" : ": ", shapelib_message));
+  require_whole(path, *table_);
   records_ = DBFGetRecordCount(table_.get());
   for (int field = 0; field < DBFGetFieldCount(table_.get()); ++field) {
     std::array<char, XBASE_FLDNAME_LEN_READ + 1> name{};

@@ -14,7 +14,7 @@ namespace quarry {
 class DbfTable {
  public:
   // path: of the .dbf; "" for a Shapefile without one. Tells the encoding of its texts with -v. Throws
-  // Error(kInput) for a file that is no table.
+  // Error(kInput) for a file that is no table, or that ends before its last record.
   explicit DbfTable(const std::string& path);
 
   // Hands over the attributes of a record, from 0; those of one that is not there are empty.

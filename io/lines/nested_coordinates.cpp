@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "engine/base/error.hpp"
-#include "io/lines/coordinate_limit.hpp"
+#include "io/coordinate_limit.hpp"
 
 namespace quarry {
 namespace {

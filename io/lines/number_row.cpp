@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "io/lines/coordinate_limit.hpp"
+#include "io/coordinate_limit.hpp"
 #include "io/number_text.hpp"
 #include "io/text_rows.hpp"
 

@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "io/coordinate_limit.hpp"
 #include "io/gocad_text.hpp"
-#include "io/lines/coordinate_limit.hpp"
 #include "io/lines/line_attributes.hpp"
 #include "io/mesh/number_index.hpp"
 

@@ -11,8 +11,8 @@
 
 #include "engine/base/error.hpp"
 #include "engine/base/log.hpp"
+#include "io/coordinate_limit.hpp"
 #include "io/lines/companion_file.hpp"
-#include "io/lines/coordinate_limit.hpp"
 #include "io/lines/line_attributes.hpp"
 #include "io/lines/ring.hpp"
 #include "io/lines/segment_chains.hpp"

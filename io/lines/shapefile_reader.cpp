@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 
 #include "engine/base/error.hpp"
+#include "io/coordinate_limit.hpp"
 #include "io/lines/companion_file.hpp"
-#include "io/lines/coordinate_limit.hpp"
 #include "io/lines/coordinate_system.hpp"
 #include "io/lines/dbf_table.hpp"
 #include "io/lines/ring.hpp"

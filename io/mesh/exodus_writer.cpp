@@ -9,6 +9,7 @@
 #include "io/mesh/cell_nodes.hpp"
 #include "io/mesh/exodus_format.hpp"
 #include "io/mesh/fracture_groups.hpp"
+#include "io/mesh/given_names.hpp"
 #include "io/mesh/group_name.hpp"
 
 namespace quarry {
@@ -35,8 +36,9 @@ class ExodusWriter {
         nodes_(mesh, numbering_, options.order),
         grouped_(group_entities(mesh, numbering_)),
         element_of_(mesh.face_slots()) {
-    const FractureGroups groups = fracture_groups(mesh, numbering_, grouped_, options.names);
-    for (std::size_t g = 0; g < grouped_.face_groups.size(); ++g) add_faces(g, options.names);
+    const GroupNames names = FileNames(options.names, NameForm::kQuoted).numbered();
+    const FractureGroups groups = fracture_groups(mesh, numbering_, grouped_, names);
+    for (std::size_t g = 0; g < grouped_.face_groups.size(); ++g) add_faces(g, names);
     for (const NamedEdges& block : groups.blocks) add_line(block);
     for (const NamedEdges& set : groups.side_sets) add_side_set(set);
   }

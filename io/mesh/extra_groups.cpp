@@ -1,5 +1,6 @@
 #include "io/mesh/extra_groups.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include <fmt/format.h>
@@ -16,9 +17,7 @@ constexpr std::array<std::string_view, 4> kBare = {"left", "right", "bottom", "t
 
 std::string extra_group_name(const Grouping& grouping, const std::string& name) {
   const bool bare = grouping.tag == kZoneTag || grouping.tag == kBoxSideTag;
-  std::string result = bare ? name : fmt::format("{}_{}", grouping.tag, name);
-  std::ranges::replace(result, '"', '\'');
-  return result;
+  return bare ? name : fmt::format("{}_{}", grouping.tag, name);
 }
 
 bool is_extra_line_group(std::string_view name) {

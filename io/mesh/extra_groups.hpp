@@ -3,24 +3,25 @@
 // as the input calls them.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "io/mesh/given_names.hpp"
 #include "io/mesh/mesh_file.hpp"
 
 namespace quarry {
 
-// What the group of a name of a grouping is called; without double quotes.
+// What the group of a name of a grouping is called.
 [[nodiscard]] std::string extra_group_name(const Grouping& grouping, const std::string& name);
 
 // Of the edges of a mesh (EdgeId), or of its faces (FaceId).
 template <class Entity>
 class ExtraGroups {
  public:
-  ExtraGroups(const Mesh& mesh, const std::vector<Grouping>& groupings) {
+  // names: of the groups that the file has by then; these are added.
+  ExtraGroups(const Mesh& mesh, const std::vector<Grouping>& groupings, GivenNames& names) {
     for (const Grouping& grouping : groupings) {
       const auto tag = mesh.find_tag<Entity, std::int32_t>(grouping.tag);
       if (!tag.valid()) continue;
@@ -31,7 +32,7 @@ class ExtraGroups {
       TagOfNames& added = tags_.emplace_back(tag, std::vector<std::size_t>());
       for (std::size_t i = 0; i < used.size(); ++i) {
         added.group_of_name.push_back(names_.size());
-        if (used[i] != 0) names_.push_back(extra_group_name(grouping, grouping.names[i]));
+        if (used[i] != 0) names_.push_back(names.add(extra_group_name(grouping, grouping.names[i])));
       }
     }
   }

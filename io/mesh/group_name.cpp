@@ -1,6 +1,7 @@
 #include "io/mesh/group_name.hpp"
 
 #include <charconv>
+#include <optional>
 #include <set>
 
 #include <cctype>
@@ -16,6 +17,18 @@ constexpr std::string_view kUnnumbered = "unnumbered";
 constexpr std::string_view kLeftSuffix = "_left", kRightSuffix = "_right";
 // Stand-ins count down from here.
 constexpr std::int32_t kFirstStandIn = -2;
+
+// What follows the prefix of one of our names: the number in it, also of one side of a line.
+std::optional<std::int32_t> number_in(std::string_view digits) {
+  for (const std::string_view suffix : {kLeftSuffix, kRightSuffix})
+    if (digits.ends_with(suffix)) digits.remove_suffix(suffix.size());
+  if (digits == kUnnumbered) return -1;
+  std::int32_t value = 0;
+  const auto result = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (result.ec != std::errc() || result.ptr != digits.data() + digits.size() || value < 0)
+    return std::nullopt;
+  return value;
+}
 
 std::string name_of(std::string_view prefix, std::int32_t number,
                     const std::map<std::int32_t, std::string>& names) {
@@ -44,6 +57,14 @@ std::string line_side_name(std::int32_t constraint, std::int32_t side, const Gro
   return name;
 }
 
+bool is_own_name(std::string_view name) {
+  if (name == kOuterBoundaryName) return true;
+  const auto is_of = [&](std::string_view prefix) {
+    return name.starts_with(prefix) && number_in(name.substr(prefix.size())).has_value();
+  };
+  return is_of(kRegionPrefix) || is_of(kLinePrefix) || is_of(kPointPrefix);
+}
+
 std::string word_of(std::string name) {
   for (char& c : name)
     if (std::isspace(static_cast<unsigned char>(c)) != 0 || c == ',' || c == '"') c = '_';
@@ -56,13 +77,7 @@ GroupNumbers point_numbers() { return GroupNumbers(kPointPrefix); }
 
 std::int32_t GroupNumbers::find(std::string_view name, bool named) {
   if (named && name.starts_with(prefix_)) {
-    std::string_view digits = name.substr(prefix_.size());
-    for (const std::string_view suffix : {kLeftSuffix, kRightSuffix})
-      if (digits.ends_with(suffix)) digits.remove_suffix(suffix.size());
-    if (digits == kUnnumbered) return -1;
-    std::int32_t value = 0;
-    const auto result = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    if (result.ec == std::errc() && result.ptr == digits.data() + digits.size() && value >= 0) return value;
+    if (const auto number = number_in(name.substr(prefix_.size()))) return *number;
   }
   if (named && name == kOuterBoundaryName) return -1;
   if (const auto known = stand_ins_.find(name); known != stand_ins_.end()) return known->second;

@@ -24,6 +24,10 @@ inline constexpr std::string_view kOuterBoundaryName = "outer_boundary";
 // "line_<n>_right".
 [[nodiscard]] std::string line_side_name(std::int32_t constraint, std::int32_t side, const GroupNames& names);
 
+// Whether a name is one of those above, of any number, or that of the outer boundary: for names that are to
+// be told from them.
+[[nodiscard]] bool is_own_name(std::string_view name);
+
 // A name without blanks, commas and quotes, for formats in which those end it.
 [[nodiscard]] std::string word_of(std::string name);
 

@@ -5,6 +5,7 @@
 
 #include "io/mesh/cell_nodes.hpp"
 #include "io/mesh/extra_groups.hpp"
+#include "io/mesh/given_names.hpp"
 #include "io/mesh/group_name.hpp"
 #include "io/mesh/grouped_entities.hpp"
 #include "io/mesh/inp_format.hpp"
@@ -30,6 +31,7 @@ class InpWriter {
         numbering_(mesh),
         nodes_(mesh, numbering_, options.order),
         grouped_(group_entities(mesh, numbering_)),
+        names_(options.names, NameForm::kWord),
         element_of_(mesh.face_slots()) {
     for (std::size_t i = 0; i < grouped_.faces.size(); ++i)
       element_of_[grouped_.faces[i]] = static_cast<std::uint32_t>(i + 1);
@@ -45,8 +47,8 @@ class InpWriter {
     for (const EdgeGroup& group : grouped_.edge_groups) next = write_edges(group, next);
     write_node_sets();
     for (const MarkedPoint& point : marked_points(mesh_, numbering_))
-      file_.write(fmt::format("*NSET, NSET={}\n{},\n", word_of(point_name(point.point, options_.names)),
-                              point.vertex + 1));
+      file_.write(
+          fmt::format("*NSET, NSET={}\n{},\n", point_name(point.point, names_.numbered()), point.vertex + 1));
     write_line_groups();
     file_.commit();
   }
@@ -65,7 +67,7 @@ class InpWriter {
   void write_faces(const FaceGroup& group) {
     const int nodes = nodes_.face_count(grouped_.faces[group.begin]);
     file_.write(fmt::format("*ELEMENT, TYPE={}, ELSET={}\n", inp_face_type(nodes, mesh_.planar()),
-                            word_of(region_name(group.region, options_.names))));
+                            region_name(group.region, names_.numbered())));
     write_lines(file_, group.end - group.begin, [&](TextLine line, std::size_t i) {
       const FaceId f = grouped_.faces[group.begin + i];
       line << element_of_[f];
@@ -76,14 +78,14 @@ class InpWriter {
 
   // All faces of a region are in the same groups.
   void write_element_groups() {
-    const ExtraGroups<FaceId> groups(mesh_, options_.groups);
+    const ExtraGroups<FaceId> groups(mesh_, options_.groups, names_.of_regions());
     std::vector<std::vector<std::uint32_t>> elements(groups.all().size());
     for (const FaceGroup& group : grouped_.face_groups)
       for (const std::size_t extra : groups.of(grouped_.faces[group.begin]))
         for (std::size_t i = group.begin; i < group.end; ++i)
           elements[extra].push_back(element_of_[grouped_.faces[i]]);
     for (std::size_t i = 0; i < elements.size(); ++i) {
-      file_.write(fmt::format("*ELSET, ELSET={}\n", word_of(groups.all()[i])));
+      file_.write(fmt::format("*ELSET, ELSET={}\n", groups.all()[i]));
       write_numbers(elements[i]);
     }
   }
@@ -99,7 +101,7 @@ class InpWriter {
   std::size_t write_edges(const EdgeGroup& group, std::size_t first) {
     const bool outer = group.constraint < 0 && group.kind == kOuterBoundary;
     const std::string name = outer ? std::string(kOuterBoundaryName)
-                                   : word_of(line_side_name(group.constraint, group.side, options_.names));
+                                   : line_side_name(group.constraint, group.side, names_.numbered());
     std::vector<SideId> sides;
     std::vector<EdgeId> apart;
     for (std::size_t i = group.begin; i < group.end; ++i) {
@@ -134,7 +136,7 @@ class InpWriter {
           if (group.kind == kOuterBoundary) boundary.push_back(grouped_.edge_places[k]);
         }
       }
-      if (constraint >= 0) write_node_set(word_of(line_side_name(constraint, side, options_.names)), edges);
+      if (constraint >= 0) write_node_set(line_side_name(constraint, side, names_.numbered()), edges);
     }
     if (!boundary.empty()) write_node_set(std::string(kOuterBoundaryName), boundary);
   }
@@ -168,7 +170,7 @@ class InpWriter {
 
   // A piece of several lines of a group is in it once.
   void write_line_groups() {
-    const ExtraGroups<EdgeId> groups(mesh_, options_.groups);
+    const ExtraGroups<EdgeId> groups(mesh_, options_.groups, names_.of_lines());
     std::vector<std::vector<SideId>> sides(groups.all().size());
     for (const EdgeId e : grouped_.edges)
       if (const SideId side = side_of(e); side.valid())
@@ -176,7 +178,7 @@ class InpWriter {
     for (std::size_t i = 0; i < sides.size(); ++i) {
       std::ranges::sort(sides[i]);
       sides[i].erase(std::ranges::unique(sides[i]).begin(), sides[i].end());
-      write_surface(word_of(groups.all()[i]), sides[i]);
+      write_surface(groups.all()[i], sides[i]);
     }
   }
 
@@ -186,6 +188,7 @@ class InpWriter {
   LiveNumbering numbering_;
   CellNodes nodes_;
   GroupedEntities grouped_;
+  FileNames names_;
   IdVector<FaceId, std::uint32_t> element_of_;
 };
 

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <filesystem>
 
 #include <fmt/format.h>
 
 #include "engine/base/error.hpp"
+#include "io/coordinate_limit.hpp"
 #include "io/lower_case.hpp"
 #include "io/mesh/avs_format.hpp"
 #include "io/mesh/exodus_format.hpp"
@@ -64,7 +64,8 @@ std::string list_of(const std::vector<std::string_view>& extensions) {
       extensions[last]);
 }
 
-const MeshFormat& format_of(const std::string& path) {
+// usable: the formats that would do, for the message.
+const MeshFormat& format_of(const std::string& path, std::string (*usable)()) {
   const std::string extension = extension_of(path);
   for (const MeshFormat& format : kFormats)
     if (format.extension == extension) return format;
@@ -75,11 +76,11 @@ const MeshFormat& format_of(const std::string& path) {
         fmt::format("{}: this quarry was built without Exodus II; build it with -DQUARRY_EXODUS=ON", path));
 #endif
   throw Error(ErrorKind::kUsage, fmt::format("{}: the mesh format \"{}\" is not known; use one of {}", path,
-                                             extension, readable_mesh_formats()));
+                                             extension, usable()));
 }
 
 const MeshFormat& written_format_of(const std::string& path) {
-  const MeshFormat& format = format_of(path);
+  const MeshFormat& format = format_of(path, writable_mesh_formats);
   if (format.write == nullptr)
     throw Error(ErrorKind::kUsage, fmt::format("{}: {} is read and not written; write one of {}", path,
                                                format.extension, writable_mesh_formats()));
@@ -87,7 +88,7 @@ const MeshFormat& written_format_of(const std::string& path) {
 }
 
 const MeshFormat& read_format_of(const std::string& path) {
-  const MeshFormat& format = format_of(path);
+  const MeshFormat& format = format_of(path, readable_mesh_formats);
   if (format.read == nullptr)
     throw Error(ErrorKind::kUsage, fmt::format("{}: {} is written and not read; read one of {}", path,
                                                format.extension, readable_mesh_formats()));
@@ -96,10 +97,13 @@ const MeshFormat& read_format_of(const std::string& path) {
 
 void check_points(const std::string& path, const ReadCells& cells) {
   for (std::size_t i = 0; i < cells.x.size(); ++i)
-    if (!std::isfinite(cells.x[i]) || !std::isfinite(cells.y[i]) || !std::isfinite(cells.z[i]))
-      throw Error(ErrorKind::kInput,
-                  fmt::format("{}: point {} has a coordinate that is not a finite number: ({}, {}, {})", path,
-                              i, cells.x[i], cells.y[i], cells.z[i]));
+    if (!is_usable_coordinate(cells.x[i]) || !is_usable_coordinate(cells.y[i]) ||
+        !is_usable_coordinate(cells.z[i]))
+      throw Error(
+          ErrorKind::kInput,
+          fmt::format("{}: point {} has a coordinate that is not a usable number; the largest is {:g}: "
+                      "({}, {}, {})",
+                      path, i, kLargestCoordinate, cells.x[i], cells.y[i], cells.z[i]));
 }
 
 }  // namespace

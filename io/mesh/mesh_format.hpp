@@ -18,8 +18,8 @@ void write_mesh(const std::string& path, const Mesh& mesh, const MeshWriteOption
 // broken.
 [[nodiscard]] Mesh read_mesh(const std::string& path);
 
-// The same before a mesh is made of it (io/mesh/read_cells.hpp), with finite coordinates: for who must look
-// at it first, or needs the names of its groups.
+// The same before a mesh is made of it (io/mesh/read_cells.hpp), with usable coordinates
+// (io/coordinate_limit.hpp): for who must look at it first, or needs the names of its groups.
 [[nodiscard]] ReadCells read_cells(const std::string& path);
 
 // Throws Error(kUsage) unless read_mesh, or write_mesh, knows the extension: for a check before a long job.

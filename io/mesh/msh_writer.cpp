@@ -5,6 +5,7 @@
 
 #include "io/mesh/cell_nodes.hpp"
 #include "io/mesh/extra_groups.hpp"
+#include "io/mesh/given_names.hpp"
 #include "io/mesh/group_name.hpp"
 #include "io/mesh/grouped_entities.hpp"
 #include "io/mesh/marked_points.hpp"
@@ -41,12 +42,14 @@ class MshWriter {
         numbering_(mesh),
         nodes_(mesh, numbering_, options.order),
         grouped_(group_entities(mesh, numbering_)),
+        names_(options.names, NameForm::kQuoted),
         lines_(options.consumer == MeshConsumer::kMoose
-                   ? curves_for_moose(fracture_groups(mesh, numbering_, grouped_, options.names))
-                   : curves_by_line(grouped_, options.names, ExtraGroups<EdgeId>(mesh, options.groups))) {
+                   ? curves_for_moose(fracture_groups(mesh, numbering_, grouped_, names_.numbered()))
+                   : curves_by_line(grouped_, names_.numbered(),
+                                    ExtraGroups<EdgeId>(mesh, options.groups, names_.of_lines()))) {
     // MOOSE would take them for blocks of the lowest dimension.
     if (options.consumer != MeshConsumer::kMoose) points_ = marked_points(mesh, numbering_);
-    const ExtraGroups<FaceId> extra(mesh, options.groups);
+    const ExtraGroups<FaceId> extra(mesh, options.groups, names_.of_regions());
     for (const FaceGroup& group : grouped_.face_groups) {
       if (!regions_.empty() && regions_.back() == group.region) continue;
       regions_.push_back(group.region);
@@ -63,7 +66,7 @@ class MshWriter {
         file_.write(fmt::format("{}: {}\n", field.name, field.text));
       file_.write("$EndComments\n");
     }
-    write_names(options.names);
+    write_names();
     write_entities();
     write_nodes();
     write_elements();
@@ -72,7 +75,8 @@ class MshWriter {
 
  private:
   // Entity tags count from 1, of curves and of surfaces; the physical tag of a surface follows from it.
-  void write_names(const GroupNames& names) {
+  void write_names() {
+    const GroupNames& names = names_.numbered();
     file_.write(fmt::format("$PhysicalNames\n{}\n",
                             points_.size() + lines_.names.size() + regions_.size() + extra_names_.size()));
     for (std::size_t i = 0; i < points_.size(); ++i)
@@ -183,6 +187,7 @@ class MshWriter {
   LiveNumbering numbering_;
   CellNodes nodes_;
   GroupedEntities grouped_;
+  FileNames names_;
   MshCurves lines_;
   std::vector<MarkedPoint> points_;
   std::vector<std::int32_t> regions_;  // ascending

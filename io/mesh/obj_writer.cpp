@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "io/mesh/given_names.hpp"
 #include "io/mesh/group_name.hpp"
 #include "io/mesh/grouped_entities.hpp"
 #include "io/mesh/obj_format.hpp"
@@ -9,9 +10,9 @@ namespace quarry {
 namespace {
 
 std::string group_line(const EdgeGroup& group, const GroupNames& names) {
-  if (group.kind != kOuterBoundary) return fmt::format("g {}\n", word_of(line_name(group.constraint, names)));
+  if (group.kind != kOuterBoundary) return fmt::format("g {}\n", line_name(group.constraint, names));
   if (group.constraint < 0) return fmt::format("g {}\n", kOuterBoundaryName);
-  return fmt::format("g {} {}\n", word_of(line_name(group.constraint, names)), kOuterBoundaryName);
+  return fmt::format("g {} {}\n", line_name(group.constraint, names), kOuterBoundaryName);
 }
 
 }  // namespace
@@ -24,9 +25,10 @@ void write_obj(const std::string& path, const Mesh& mesh, const MeshWriteOptions
     const Vec3 p = mesh.point3(numbering.vertex(i));
     line << "v " << p.x << " " << p.y << " " << p.z << "\n";
   });
+  const GroupNames names = FileNames(options.names, NameForm::kWord).numbered();
   const GroupedEntities grouped = group_entities(mesh, numbering);
   for (const FaceGroup& group : grouped.face_groups) {
-    file.write(fmt::format("g {}\n", word_of(region_name(group.region, options.names))));
+    file.write(fmt::format("g {}\n", region_name(group.region, names)));
     write_lines(file, group.end - group.begin, [&](TextLine line, std::size_t i) {
       const FaceId f = grouped.faces[group.begin + i];
       line << "f";
@@ -35,7 +37,7 @@ void write_obj(const std::string& path, const Mesh& mesh, const MeshWriteOptions
     });
   }
   for (const EdgeGroup& group : grouped.edge_groups) {
-    file.write(group_line(group, options.names));
+    file.write(group_line(group, names));
     write_lines(file, group.end - group.begin, [&](TextLine line, std::size_t i) {
       const auto [a, b] = mesh.edge_ends(grouped.edges[group.begin + i]);
       line << "l " << numbering.number(a) + 1 << " " << numbering.number(b) + 1 << "\n";

@@ -5,6 +5,11 @@ namespace {
 
 constexpr double kSizesOfACell = 4;
 
+// Whether doubles hold a place strictly between both ends of each side.
+bool can_be_halved(const Box2& box, Vec2 middle) {
+  return middle.x > box.low.x && middle.x < box.high.x && middle.y > box.low.y && middle.y < box.high.y;
+}
+
 class Count {
  public:
   Count(const SizeField& field, double most, const std::function<bool(Vec2)>& inside)
@@ -14,7 +19,7 @@ class Count {
     if (squares_ > most_) return;
     const Vec2 middle = midpoint(box.low, box.high);
     const double size = field_.at(middle);
-    if (box.longer_side() > kSizesOfACell * size) {
+    if (box.longer_side() > kSizesOfACell * size && can_be_halved(box, middle)) {
       add({box.low, middle});
       add({{middle.x, box.low.y}, {box.high.x, middle.y}});
       add({{box.low.x, middle.y}, {middle.x, box.high.y}});

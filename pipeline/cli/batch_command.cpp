@@ -21,6 +21,7 @@
 #include "pipeline/cli/batch_jobs.hpp"
 #include "pipeline/cli/commands.hpp"
 #include "pipeline/cli/config_file.hpp"
+#include "pipeline/cli/outputs.hpp"
 #include "pipeline/cli/progress_bar.hpp"
 
 namespace quarry::cli {
@@ -64,9 +65,7 @@ void tell(const BatchArguments& arguments, const BatchFolder& folder, const std:
           const std::vector<JobRecord>& records) {
   const std::string json = table_json(jobs, records);
   write_file(folder.table(), json);
-  const std::string text = arguments.json ? json : table_text(jobs, records);
-  std::fwrite(text.data(), 1, text.size(), stdout);
-  std::fflush(stdout);
+  write_standard_output(arguments.json ? json : table_text(jobs, records));
 }
 
 // The share of this rank in what the machine has.

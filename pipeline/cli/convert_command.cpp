@@ -3,10 +3,12 @@
 #include <utility>
 
 #include "engine/base/log.hpp"
+#include "engine/base/progress.hpp"
 #include "io/mesh/mesh_format.hpp"
 #include "kernels/quality/face.hpp"
 #include "pipeline/cli/commands.hpp"
 #include "pipeline/cli/common_arguments.hpp"
+#include "pipeline/cli/interrupt.hpp"
 #include "pipeline/cli/mesh_output.hpp"
 #include "pipeline/cli/outputs.hpp"
 
@@ -23,10 +25,13 @@ void run(const ConvertArguments& arguments) {
   check_readable_extension(arguments.input);
   arguments.written.check(arguments.output);
   check_outputs({arguments.output}, {arguments.input});
+  const Progress progress({}, &interrupt_token());
   ReadCells cells = read_cells(arguments.input);
+  progress.throw_if_cancelled();
   const GroupNames names = cells.names;
   const std::vector<Grouping> groups = groupings_of(cells);
   Mesh mesh = make_mesh(arguments.input, std::move(cells));
+  progress.throw_if_cancelled();
   arguments.written.prepare(mesh);
   const std::vector<double> jacobians = scaled_jacobians(mesh);
   MeshWriteOptions options = arguments.written.write_options();
@@ -34,6 +39,7 @@ void run(const ConvertArguments& arguments) {
   options.names = names;
   options.groups = groups;
   options.scaled_jacobian = jacobians;
+  progress.throw_if_cancelled();
   write_mesh(arguments.output, mesh, options);
   log::info("wrote {}", arguments.output);
 }

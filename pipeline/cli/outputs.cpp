@@ -1,5 +1,6 @@
 #include "pipeline/cli/outputs.hpp"
 
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
 
@@ -40,6 +41,12 @@ void check_outputs(const std::vector<std::string>& outputs, const std::vector<st
         throw Error(ErrorKind::kUsage, fmt::format("{}: two outputs have this name", outputs[i]));
     require_writable(outputs[i]);
   }
+}
+
+void write_standard_output(std::string_view text) {
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
+    throw Error(ErrorKind::kOutput,
+                fmt::format("standard output: cannot be written: {}", std::strerror(errno)));
 }
 
 }  // namespace quarry::cli

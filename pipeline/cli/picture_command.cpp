@@ -5,6 +5,7 @@
 
 #include "engine/base/error.hpp"
 #include "engine/base/log.hpp"
+#include "engine/base/progress.hpp"
 #include "io/mesh/mesh_format.hpp"
 #include "io/page/page.hpp"
 #include "io/picture/picture.hpp"
@@ -12,6 +13,7 @@
 #include "kernels/quality/summary.hpp"
 #include "pipeline/cli/commands.hpp"
 #include "pipeline/cli/common_arguments.hpp"
+#include "pipeline/cli/interrupt.hpp"
 #include "pipeline/cli/outputs.hpp"
 #include "pipeline/cli/page_output.hpp"
 
@@ -41,9 +43,13 @@ void run(const PictureArguments& arguments) {
   check_readable_extension(arguments.input);
   if (!is_page(arguments.output)) check_picture_extension(arguments.output);
   check_outputs({arguments.output}, {arguments.input});
+  const Progress progress({}, &interrupt_token());
   const Mesh mesh = read_mesh(arguments.input);
+  progress.throw_if_cancelled();
   if (is_page(arguments.output)) {
-    write_mesh_page(arguments.output, mesh, summarize_quality(mesh), arguments.input);
+    const QualitySummary quality = summarize_quality(mesh);
+    progress.throw_if_cancelled();
+    write_mesh_page(arguments.output, mesh, quality, arguments.input);
     log::info("wrote {}", arguments.output);
     return;
   }
@@ -63,6 +69,7 @@ void run(const PictureArguments& arguments) {
   }
   if (arguments.up == "y") options.view.up = UpAxis::kY;
   if (const auto& a = arguments.around; !a.empty()) options.around = Ball{{a[0], a[1], a[2]}, a[3]};
+  progress.throw_if_cancelled();
   write_picture(arguments.output, mesh, options);
   log::info("wrote {}", arguments.output);
 }

@@ -1,12 +1,14 @@
-#include <cstdio>
 #include <memory>
 #include <string>
 
 #include <fmt/format.h>
 
+#include "engine/base/progress.hpp"
 #include "io/mesh/mesh_format.hpp"
 #include "pipeline/cli/commands.hpp"
 #include "pipeline/cli/common_arguments.hpp"
+#include "pipeline/cli/interrupt.hpp"
+#include "pipeline/cli/outputs.hpp"
 #include "pipeline/report/job_report.hpp"
 
 namespace quarry::cli {
@@ -57,9 +59,12 @@ std::string table(const QualitySummary& quality) {
 }
 
 void run(const QualityArguments& arguments) {
-  const QualitySummary quality = summarize_quality(read_mesh(arguments.input));
-  const std::string text = arguments.json ? quality_text(quality) : table(quality);
-  std::fwrite(text.data(), 1, text.size(), stdout);
+  const Progress progress({}, &interrupt_token());
+  const Mesh mesh = read_mesh(arguments.input);
+  progress.throw_if_cancelled();
+  const QualitySummary quality = summarize_quality(mesh);
+  progress.throw_if_cancelled();
+  write_standard_output(arguments.json ? quality_text(quality) : table(quality));
 }
 
 }  // namespace

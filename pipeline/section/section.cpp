@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -20,6 +21,7 @@
 #include "pipeline/report/count_note.hpp"
 #include "pipeline/section/boundary_rule.hpp"
 #include "pipeline/section/conservation.hpp"
+#include "pipeline/section/count_search.hpp"
 #include "pipeline/section/line_tags.hpp"
 #include "pipeline/section/outline_measures.hpp"
 #include "pipeline/section/point_tags.hpp"
@@ -30,9 +32,6 @@
 
 namespace quarry {
 namespace {
-
-// How far the number of elements may be from --count, as a share of it, where nothing else decides it.
-constexpr double kCountTolerance = 0.02;
 
 Outline find_outline(const SectionOptions& options, const SectionInput& input, double near) {
   const LineSet& lines = input.lines;
@@ -234,30 +233,24 @@ void tell_prediction(const SectionOptions& options, const SectionResult& result)
   options.on_prediction(share * result.elements, predict_bytes(result.elements));
 }
 
-// With --count sizes are mended until the count is met: short pieces and narrow gaps ask for more elements
-// than their area tells.
+// With --count sizes are mended until the count is met.
 void make_elements(const SectionOptions& options, SectionResult& result, StageClock& clock,
                    const Progress& progress) {
-  constexpr int kMostRounds = 4;
-  constexpr double kMostScale = 1.4;
-  const double smallest = result.lengths.size / kMostScale;
-  const double largest = result.lengths.size * kMostScale;
-  for (int round = 1;; ++round) {
+  std::optional<CountSearch> search;
+  if (options.count && options.start != StartMesh::kFile) search.emplace(*options.count, result.lengths.size);
+  for (bool first = true;; first = false) {
     clean(options, closed_wedge(options), result, clock, progress);
-    if (round == 1) tell_prediction(options, result);
+    if (first) tell_prediction(options, result);
     make_triangles(options, result, clock, progress);
     if (makes_quads(options)) {
       clock.start("quads");
       convert_to_quads(options, result, progress);
     }
-    if (!options.count || options.start == StartMesh::kFile || round == kMostRounds) return;
-    const double ratio = static_cast<double>(result.mesh.count_alive_faces()) / *options.count;
-    // Where the lines alone make more elements than wanted, larger ones elsewhere are no help.
-    const double scale =
-        std::clamp(std::sqrt(ratio), smallest / result.lengths.size, largest / result.lengths.size);
-    if (std::abs(ratio - 1) <= kCountTolerance || std::abs(scale - 1) <= kCountTolerance) return;
-    result.lengths.size *= scale;
-    if (result.sizes) result.sizes->multiply(scale);
+    if (!search) return;
+    const std::optional<double> size = search->next(static_cast<double>(result.mesh.count_alive_faces()));
+    if (!size) return;
+    if (result.sizes) result.sizes->multiply(*size / result.lengths.size);
+    result.lengths.size = *size;
   }
 }
 

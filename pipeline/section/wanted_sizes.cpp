@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string_view>
 #include <utility>
 
@@ -19,6 +20,8 @@ namespace quarry {
 namespace {
 
 constexpr double kSmallestShare = 0.1;
+// Of what coordinates of this magnitude are told apart by: corners of smaller elements fall together.
+constexpr double kUnitsOfTheSmallest = 1000;
 // More are not counted to find a factor: a field of so many different places has no use.
 constexpr double kMostSquares = 1e9;
 constexpr std::string_view kAllLines = "lines";
@@ -62,6 +65,31 @@ std::shared_ptr<const SizeField> file_field(const std::string& path, const Grade
   }
 }
 
+// Elements below it cannot be told apart where the lines lie.
+double least_size(const LineSet& lines) {
+  const Box2 box = lines.box();
+  const double magnitude =
+      std::max({std::abs(box.low.x), std::abs(box.low.y), std::abs(box.high.x), std::abs(box.high.y)});
+  return kUnitsOfTheSmallest * std::numeric_limits<double>::epsilon() * magnitude;
+}
+
+// The size below which none is wanted.
+double smallest_size(const SizeOptions& options, const LineSet& lines, double largest) {
+  const double least = least_size(lines);
+  if (!options.smallest) return std::min(std::max(kSmallestShare * largest, least), largest);
+  const double smallest = *options.smallest;
+  if (!(smallest > 0 && smallest <= largest))
+    throw Error(ErrorKind::kUsage,
+                fmt::format("--smallest is {}: it must be above 0, and at most the largest size {:.6g}",
+                            smallest, largest));
+  if (smallest < least)
+    throw Error(ErrorKind::kUsage,
+                fmt::format("--smallest is {}: coordinates as large as those of the lines tell nothing apart "
+                            "below {}; give at least that",
+                            smallest, least));
+  return smallest;
+}
+
 }  // namespace
 
 NearGroup parse_near_group(const std::string& text) {
@@ -82,11 +110,7 @@ NearGroup parse_near_group(const std::string& text) {
 
 WantedSizes::WantedSizes(const SizeOptions& options, const LineSet& lines,
                          const std::vector<std::string>& files, double largest)
-    : options_(options), largest_(largest), smallest_(options.smallest.value_or(kSmallestShare * largest)) {
-  if (!(smallest_ > 0 && smallest_ <= largest_))
-    throw Error(ErrorKind::kUsage,
-                fmt::format("--smallest is {}: it must be above 0, and at most the largest size {:.6g}",
-                            smallest_, largest_));
+    : options_(options), largest_(largest), smallest_(smallest_size(options, lines, largest)) {
   asked_.push_back(std::make_shared<UniformSize>(largest_));
   if (!options.file.empty()) asked_.push_back(file_field(options.file, grading()));
   for (const std::string& text : options.near)

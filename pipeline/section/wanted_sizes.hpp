@@ -20,7 +20,7 @@ struct SizeOptions {
   std::vector<std::string> near = {};  // GROUP:SIZE:DISTANCE each
   std::optional<double> between = {};  // elements wanted across a gap between lines
   double gradation = GradedSizeOptions().gradation;
-  std::optional<double> smallest = {};  // unset: a tenth of the largest
+  std::optional<double> smallest = {};  // unset: a tenth of the largest, or the least that is accepted
 
   // All elements are to be of the same size.
   [[nodiscard]] bool uniform() const { return file.empty() && near.empty() && !between; }
@@ -37,8 +37,9 @@ struct NearGroup {
 class WantedSizes {
  public:
   // files: what the groups of the files of lines are called. largest: wanted where nothing else is asked for,
-  // in input units. Reads the file. Throws Error(kUsage) for what makes no sense and for a group that no line
-  // belongs to, Error(kInput) for a file that cannot be used.
+  // in input units. Reads the file. Throws Error(kUsage) for what makes no sense, for a smallest size that
+  // coordinates of the lines do not tell apart and for a group that no line belongs to, Error(kInput) for a
+  // file that cannot be used.
   WantedSizes(const SizeOptions& options, const LineSet& lines, const std::vector<std::string>& files,
               double largest);
 

@@ -1,6 +1,8 @@
 #include "io/lines/coordinate_system.hpp"
 
 #include <cmath>
+#include <string>
+#include <utility>
 
 #include "tests/io/lines/line_files.hpp"
 
@@ -68,6 +70,32 @@ TEST_F(CoordinateSystems, TheSouthHasZonesOfItsOwnAndLatitudeMayComeFirstByName)
   LineSet lines = line("[[34.5,-13.1],[34.6,-13.2]]", "EPSG:4326");
   EXPECT_EQ(project_to_utm(lines, nullptr), "EPSG:32736 (WGS 84 / UTM zone 36S)");
   EXPECT_NEAR(points_of(lines, 0)[0].y, 10'000'000 - 13.1 * 110'600, 3000);
+}
+
+TEST_F(CoordinateSystems, LinesAcrossTheAntimeridianComeToAZoneBesideIt) {
+  for (const auto& [coordinates, zone] :
+       {std::pair("[[179.9,50.1],[-179.9,50.2]]", 60), std::pair("[[179.9,50.1],[-179.5,50.2]]", 1)}) {
+    LineSet lines = line(coordinates, "OGC:CRS84");
+    EXPECT_EQ(project_to_utm(lines, nullptr), "EPSG:326" + std::string(zone < 10 ? "0" : "") +
+                                                  std::to_string(zone) + " (WGS 84 / UTM zone " +
+                                                  std::to_string(zone) + "N)");
+    EXPECT_LT(lines.box().width(), 50'000);
+  }
+}
+
+TEST_F(CoordinateSystems, LinesTooWideForAZoneAreAnError) {
+  for (const char* const coordinates : {"[[-30,10],[30,10]]", "[[-100,10],[100,10]]", "[[0,10],[41,10]]"}) {
+    try {
+      LineSet lines = line(coordinates, "OGC:CRS84");
+      (void)project_to_utm(lines, nullptr);
+      ADD_FAILURE() << coordinates;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::kInput);
+      EXPECT_MESSAGE(error.message(), "the lines fit no zone; project them yourself");
+    }
+  }
+  LineSet wide = line("[[2,10],[36,10]]", "OGC:CRS84");
+  EXPECT_EQ(project_to_utm(wide, nullptr), "EPSG:32634 (WGS 84 / UTM zone 34N)");
 }
 
 TEST_F(CoordinateSystems, WhatHasNoPlaceInAPlaneIsAnError) {

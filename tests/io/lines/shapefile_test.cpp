@@ -132,6 +132,26 @@ TEST_F(Shapefile, ErrorsNameTheFileAndTheFeature) {
   }
 }
 
+TEST_F(Shapefile, ATableThatEndsBeforeItsLastRecordIsAnError) {
+  const std::string path = write(SHPT_ARC, {kTwoParts, kTwoParts});
+  write_table("A", 1);
+  const DBFHandle table = DBFOpen(base("map").c_str(), "rb+");
+  DBFWriteStringAttribute(table, 1, 0, "B");
+  DBFClose(table);
+  const std::string whole = bytes_of(base("map.dbf"));
+  const std::size_t record = 20 + 12 + 6 + 1, header = 32 + 3 * 32 + 1;
+  save(whole.substr(0, header + 2 * record), "map.dbf");
+  EXPECT_EQ(read_lines({path}).attributes_of(LineId(2U)).name, "B") << "without the mark of its end";
+  save(whole.substr(0, header + 2 * record - 1), "map.dbf");
+  try {
+    (void)read_lines({path});
+    ADD_FAILURE() << "no error";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::kInput);
+    EXPECT_MESSAGE(error.message(), "map.dbf: the file ends too early: 2 records are announced, and 1 are");
+  }
+}
+
 TEST_F(Shapefile, SurvivesEveryTruncationAndChangedByte) {
   const std::string path = write(SHPT_POLYGON, {kPolygons});
   write_table("A", 1);

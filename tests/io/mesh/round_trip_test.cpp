@@ -121,6 +121,23 @@ TEST_P(MeshFormat, RefusesBrokenFilesWithAnError) {
   }
 }
 
+TEST_P(MeshFormat, RefusesCoordinatesTooLargeToWorkWith) {
+  const std::vector<FaceCorners> faces = {
+      {VertexId(std::size_t{0}), VertexId(std::size_t{1}), VertexId(std::size_t{2})}};
+  write(build_mesh({0, 1e30, 0}, {0, 0, 1e30}, faces));
+  EXPECT_EQ(read_mesh(path()).face_slots(), 1U);
+  write(build_mesh({0, 3e30, 0}, {0, 0, 1e30}, faces));
+  try {
+    static_cast<void>(read_mesh(path()));
+    FAIL() << "no error";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::kInput);
+    EXPECT_EQ(error.message(), path() +
+                                   ": point 1 has a coordinate that is not a usable number; the largest is "
+                                   "1e+30: (3e+30, 0, 0)");
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(All, MeshFormat,
                          testing::Values(Case{".vtu", false}, Case{".vtu", true}, Case{".msh", false},
                                          Case{".obj", false}, Case{".inp", false}, Case{".ply", false},
@@ -130,16 +147,23 @@ INSTANTIATE_TEST_SUITE_P(All, MeshFormat,
                                   (instance.param.compress ? "Compressed" : "");
                          });
 
-TEST(MeshFormats, AreNamedWhenAnExtensionIsNotKnown) {
-  for (const char* path : {"mesh.stp", "mesh"}) {
-    try {
-      check_readable_extension(path);
-      FAIL() << "no error";
-    } catch (const Error& error) {
-      EXPECT_EQ(error.kind(), ErrorKind::kUsage);
-      EXPECT_NE(error.message().find(".vtu, .msh, .obj, .inp"), std::string::npos);
+TEST(MeshFormats, ThatAreReadOrWrittenAreNamedWhenAnExtensionIsNotKnown) {
+  const auto expect_named = [](void (*check)(const std::string&), const std::string& formats) {
+    for (const char* path : {"mesh.stp", "mesh"}) {
+      try {
+        check(path);
+        FAIL() << "no error";
+      } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), ErrorKind::kUsage);
+        EXPECT_NE(error.message().find("is not known; use one of " + formats), std::string::npos)
+            << error.message();
+      }
     }
-  }
+  };
+  expect_named(check_readable_extension, readable_mesh_formats());
+  expect_named(check_writable_extension, writable_mesh_formats());
+  EXPECT_EQ(readable_mesh_formats().find(".vtkhdf"), std::string::npos);
+  EXPECT_EQ(writable_mesh_formats().find(".off"), std::string::npos);
 }
 
 TEST(MeshFormats, AreRefusedWhenTheyAreOnlyRead) {

@@ -1,5 +1,7 @@
 #include "kernels/field/expected_squares.hpp"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "kernels/field/graded_size.hpp"
@@ -33,6 +35,12 @@ TEST(ExpectedSquares, StopSoonAfterTheMostAskedFor) {
   const double squares = expected_squares(UniformSize(1e-9), {{0, 0}, {1, 1}}, 1000);
   EXPECT_GT(squares, 1000);
   EXPECT_LT(squares, 2000);
+}
+
+TEST(ExpectedSquares, EndWhereDoublesCannotHalveABoxAnyMore) {
+  const GradedSize field({{{{10, 10}, {10, 10}}, 1e-300}}, {.largest = 4, .gradation = 0.3});
+  EXPECT_GT(expected_squares(field, {{0, 0}, {100, 60}}, 1e9), 375);
+  EXPECT_GT(expected_squares(UniformSize(1e-20), {{1, 0}, {std::nextafter(1.0, 2.0), 1}}, 1e9), 0);
 }
 
 }  // namespace

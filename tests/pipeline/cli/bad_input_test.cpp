@@ -59,6 +59,11 @@ TEST_F(BadInput, AnInfiniteCoordinateIsToldWithItsFeature) {
                       {"in.geojson"});
 }
 
+TEST_F(BadInput, ACoordinateTooLargeToWorkWithIsToldWithTheLargest) {
+  expect_refused_text(3, collection(feature("LineString", "[[0, 0], [1e41, 7e40]]")),
+                      {"in.geojson", "1e+41", "the largest is 1e+30"});
+}
+
 TEST_F(BadInput, ATextForACoordinateIsTold) {
   expect_refused_text(3, collection(feature("LineString", R"([[0, 1], ["east", 2]])")),
                       {"in.geojson", "feature 0"});

@@ -75,13 +75,13 @@ std::size_t CommandResult::error_lines() const {
 
 CommandResult run_quarry(const std::vector<std::string>& arguments, const CommandOptions& options) {
   const TestFolder folder;
-  const std::string out = folder / "out";
+  const std::string out = options.output.empty() ? folder / "out" : options.output;
   const std::string err = folder / "err";
   const FileActions actions(options.input, out, err);
   const int status = wait_for(start(arguments, actions), err, options);
   CommandResult result;
   result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  result.out = read_text(out);
+  if (options.output.empty()) result.out = read_text(out);
   result.err = read_text(err);
   return result;
 }

@@ -21,6 +21,8 @@ struct CommandOptions {
   int time_limit_seconds = 120;
   // A file that is the standard input; "": an empty one.
   std::string input;
+  // A file or device that is the standard output; "": what comes there is in CommandResult::out.
+  std::string output;
   // Asked for a signal to send each few milliseconds until it names one; 0: none yet. Gets what the command
   // has written to the standard error stream so far.
   std::function<int(const std::string& err)> signal;

@@ -50,6 +50,26 @@ TEST(Outputs, AnInputIsNoOutput) {
   EXPECT_EQ(read_text(input), read_text(kDemoSection));
 }
 
+TEST(Outputs, AStandardOutputThatTakesNothingIsToldWithExitCodeSeven) {
+  const TestFolder folder;
+  CommandOptions full;
+  full.output = "/dev/full";
+  const std::string mesh = folder.write("in.obj", "v 0 0\nv 1 0\nv 0 1\nf 1 2 3\n");
+  const std::string lines =
+      folder.write("lines.geojson", R"({"type":"LineString","coordinates":[[0,0],[9,5]]})");
+  const std::vector<std::vector<std::string>> commands = {
+      {"quality", mesh},
+      {"quality", mesh, "--json"},
+      {"batch", lines, "-o", folder / "meshes", "--size", "2", "--quiet", "--json"}};
+  for (const std::vector<std::string>& command : commands) {
+    const CommandResult result = run_quarry(command, full);
+    EXPECT_EQ(result.exit_code, 7) << command[0] << ": " << result.err;
+    EXPECT_NE(result.err.find("standard output: cannot be written: No space left on device"),
+              std::string::npos)
+        << result.err;
+  }
+}
+
 TEST(Outputs, TwoOutputsNeedTwoNames) {
   const TestFolder folder;
   expect_failure({"mesh", kDemoSection, "-o", folder / "a.vtu", "--report", folder / "a.vtu", "--size", "20"},

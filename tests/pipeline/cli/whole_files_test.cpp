@@ -1,7 +1,9 @@
-// What was there before stays whole, whatever ends the writing: a signal that cannot be caught, a full disk.
+// What was there before stays whole, whatever ends the writing: a signal, caught or not, a full disk.
+#include <algorithm>
 #include <csignal>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <sched.h>
@@ -42,6 +44,41 @@ TEST(WholeFiles, AKilledJobLeavesTheOutputBeforeItOrItsOwn) {
     EXPECT_TRUE(result.exit_code != 0 || after == whole) << "seed " << seed;
   }
   EXPECT_GT(killed, 0);
+}
+
+// Signals come at moments spread over the time that the whole takes: at each the command ends soon, or had
+// begun to write.
+TEST(WholeFiles, CommandsOnMeshesEndWhenInterruptedAndLeaveTheOutputBefore) {
+  const TestFolder folder;
+  const std::string mesh = write_mesh_into(folder);
+  const std::string before = "what was there before", output = folder / "out";
+  const std::vector<std::vector<std::string>> commands = {
+      {"convert", mesh, output + ".msh"}, {"picture", mesh, "-o", output + ".svg"}, {"quality", mesh}};
+  for (const std::vector<std::string>& command : commands) {
+    const std::string path = command.back() == mesh ? "" : command.back();
+    int polls = 0;
+    CommandOptions options;
+    options.signal = [&](const std::string&) { return ++polls, 0; };
+    ASSERT_EQ(run_quarry(command, options).exit_code, 0);
+    const int most = polls;
+    int interrupted = 0;
+    for (int moment = 1; moment <= most; moment += std::max(1, most / 10)) {
+      if (!path.empty()) (void)folder.write(std::filesystem::path(path).filename(), before);
+      polls = 0;
+      options.signal = [&](const std::string&) { return ++polls < moment ? 0 : SIGINT; };
+      const CommandResult result = run_quarry(command, options);
+      // At the very beginning the signal ends the process by itself.
+      EXPECT_TRUE(result.exit_code == 130 || result.exit_code == 0 || result.exit_code == -1) << result.err;
+      if (result.exit_code != 130) continue;
+      ++interrupted;
+      EXPECT_EQ(result.error_lines(), 1U) << result.err;
+      EXPECT_EQ(result.out, "");
+      if (!path.empty()) {
+        EXPECT_EQ(read_text(path), before);
+      }
+    }
+    EXPECT_GT(interrupted, 0) << command[0];
+  }
 }
 
 // A file system of a quarter of a megabyte that this process and the command see alone.

@@ -188,6 +188,40 @@ TEST_F(Groups, RegionsOfFilesComeBackAsTheyWere) {
   }
 }
 
+TEST_F(Groups, NamesThatLookLikeThoseOfOtherGroupsGetAnEnding) {
+  const SectionResult result = mesh(options_for(R"({"type":"FeatureCollection","features":[
+{"type":"Feature","properties":{"name":"region_1"},"geometry":{"type":"Polygon","coordinates":[[[0,0],[50,0],[50,60],[0,60],[0,0]]]}},
+{"type":"Feature","properties":{"name":"material_x","material":"x"},"geometry":{"type":"Polygon","coordinates":[[[50,0],[90,0],[90,60],[50,60],[50,0]]]}},
+{"type":"Feature","properties":{"name":"a\nb \"c\""},"geometry":{"type":"LineString","coordinates":[[10,10],[80,50]]}},
+{"type":"Feature","properties":{"name":"line_2"},"geometry":{"type":"Point","coordinates":[20,40]}},
+{"type":"Feature","properties":{"name":"Outer_Boundary"},"geometry":{"type":"Point","coordinates":[70,10]}}]})"));
+  const std::string msh = text_of("a.msh", result), inp = text_of("a.inp", result);
+  const auto count = [](const std::string& text, const std::string& part) {
+    int times = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++times;
+    return times;
+  };
+  for (const char* const name : {"\"region_1\"", "\"region_1_2\"", "\"material_x_2\"", "\"line_2_2\"",
+                                 "\"Outer_Boundary\"", "\"name_a b 'c'\""})
+    EXPECT_EQ(count(msh, name), 1) << name;
+  for (const char* const line :
+       {"*ELSET, ELSET=region_1_2\n", "*ELSET, ELSET=material_x\n", "*ELSET, ELSET=material_x_2\n",
+        "*NSET, NSET=line_2\n", "*NSET, NSET=line_2_2\n", "*NSET, NSET=outer_boundary\n",
+        "*NSET, NSET=Outer_Boundary_2\n", "NAME=name_a_b__c_\n"})
+    EXPECT_EQ(count(inp, line), 1) << line;
+  for (const char* const file : {"a.msh", "a.inp"}) {
+    const Mesh read = read_back(file);
+    EXPECT_EQ(read.edge_slots(), result.mesh.edge_slots()) << file;
+    EXPECT_EQ(places_of(read).size(), 2U) << file;
+    std::map<std::int32_t, int> faces, faces_again;
+    const auto region = result.mesh.find_tag<FaceId, std::int32_t>("region"),
+               again = read.find_tag<FaceId, std::int32_t>("region");
+    for (const FaceId f : result.mesh.faces()) ++faces[region[f]];
+    for (const FaceId f : read.faces()) ++faces_again[again[f]];
+    EXPECT_EQ(faces, faces_again) << file;
+  }
+}
+
 TEST_F(Groups, SeedsNameRegionsBeforePolygonsDo) {
   SectionOptions options = options_for(kUnits);
   options.seed_points = {"70,15,the lens, seen again", "5,5,below"};

@@ -161,6 +161,14 @@ TEST_F(Sizes, ThatMakeNoSenseAreRefused) {
   expect_error({.file = "nowhere.asc"}, ErrorKind::kInput, "nowhere.asc");
 }
 
+TEST_F(Sizes, BelowWhatCoordinatesTellApartAreRefusedWithTheLeastThatIsNot) {
+  const std::string point = folder_.file("point.txt", "10,10,1e-300\n");
+  expect_error({.file = point, .smallest = 1e-16}, ErrorKind::kUsage, "2.220446049250313e-11");
+  SectionOptions section = options();
+  section.sizes.file = point;  // the smallest wanted is a tenth of the largest
+  EXPECT_EQ(validate(mesh_section(section, {}).mesh, GeometryCheck::kPlanarCorners), "");
+}
+
 TEST_F(Sizes, TooSmallForTheBudgetAreRefusedBeforeMeshing) {
   SectionOptions section = options();
   section.max_elements = 1e5;
