@@ -8,9 +8,14 @@
 // Losers return to the front of the list in order, follow-ups go to its end in list order.
 //
 // An operation is a class with
-//   using Item = ...;  using Plan = ...;   // what is pending; what propose tells apply (both trivially
-//   copyable) bool propose(const Mesh&, Item, Cavity&, Plan&) const;      // false: nothing to do, the item
-//   is dropped void apply(MeshEditor&, Item, const Plan&, NewIds, FollowUps<Item>&) const;
+//
+//   using Item, Plan          what is pending; what propose tells apply; both trivially copyable
+//
+//   bool propose(const Mesh&, Item, Cavity&, Plan&) const
+//                             false: nothing to do, the item is dropped
+//
+//   void apply(MeshEditor&, Item, const Plan&, NewIds, FollowUps<Item>&) const
+//
 // propose must claim each vertex whose star it reads for a decision; apply touches claimed and new entities
 // only. Items must name what survives: vertices and own numbers, not sides that another flip may turn.
 #pragma once
@@ -37,8 +42,8 @@ namespace quarry {
 // window and cutoff are constants of an operation and part of the output: never derive them from the machine.
 struct PassOptions {
   std::size_t window = 16384;  // items a round: cavities and claims of a round should stay in cache
-  std::uint32_t cutoff =
-      4;  // only ranks under 2^32 / cutoff propose in a round; 1 for cheap, check-like operations
+  // Only ranks under 2^32 / cutoff propose in a round; 1 for cheap, check-like operations.
+  std::uint32_t cutoff = 4;
   // Faces beyond which the pass ends with Error(kBudget): no estimate foresees the refinement that hard input
   // asks for.
   std::size_t max_faces = std::numeric_limits<std::uint32_t>::max() / 4;

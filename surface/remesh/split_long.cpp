@@ -10,11 +10,7 @@ namespace {
 class SplitLong {
  public:
   using Item = MeshEdge;
-  struct Plan {
-    Vec3 point, normal;
-    double wanted;
-    Support support;
-  };
+  struct Plan {};
 
   explicit SplitLong(const RemeshState& state) : state_(state), guard_(state.guard()) {}
 
@@ -37,23 +33,25 @@ class SplitLong {
     return longest_of(s) || (t.valid() && longest_of(t));
   }
 
-  bool propose(const Mesh& mesh, Item edge, Cavity& cavity, Plan& plan) const {
+  bool propose(const Mesh& mesh, Item edge, Cavity& cavity, Plan& /*plan*/) const {
     const SideId s = state_.side_of(edge);
     if (!s.valid() || !wanted(s)) return false;
-    plan = plan_of(mesh, s);
     claim_split_edge(mesh, s, cavity);
     return true;
   }
 
-  void apply(MeshEditor& editor, Item edge, const Plan& plan, NewIds ids, FollowUps<Item>& /*more*/) const {
+  // The place is found here, by the edges alone that win: of the spokes of a wheel one does in each round.
+  void apply(MeshEditor& editor, Item edge, const Plan& /*plan*/, NewIds ids,
+             FollowUps<Item>& /*more*/) const {
     const SideId s = state_.side_of(edge);
+    const Middle middle = middle_of(editor.mesh(), s);
     const SideId t = editor.mesh().neighbour(s);
     // The new faces in the order in which they are taken.
     editor.set(state_.groups, ids.face, state_.groups[s.face()]);
     if (t.valid()) editor.set(state_.groups, FaceId(ids.face.value() + 1), state_.groups[t.face()]);
-    const VertexId m = split_edge(editor, state_.tags, s, plan.point, plan.support, ids);
-    editor.set(state_.normals, m, plan.normal);
-    editor.set(state_.wanted, m, plan.wanted);
+    const VertexId m = split_edge(editor, state_.tags, s, middle.point, middle.support, ids);
+    editor.set(state_.normals, m, middle.normal);
+    editor.set(state_.wanted, m, middle.wanted);
   }
 
  private:
@@ -68,7 +66,13 @@ class SplitLong {
     return std::minmax(state_.mesh.origin(s), state_.mesh.target(s));
   }
 
-  [[nodiscard]] Plan plan_of(const Mesh& mesh, SideId s) const {
+  struct Middle {
+    Vec3 point, normal;
+    double wanted;
+    Support support;
+  };
+
+  [[nodiscard]] Middle middle_of(const Mesh& mesh, SideId s) const {
     const auto [a, b] = key(s);
     const Vec3 middle = 0.5 * (state_.point(a) + state_.point(b));
     const double wanted = 0.5 * (state_.wanted[a] + state_.wanted[b]);
