@@ -32,20 +32,25 @@ std::vector<CornerNormals> corner_normals(const Mesh& triangles, const Constrain
     if (!triangles.alive(v)) return;
     // Inside: begins at a constrained side, if there is one. The first side at a rim is one.
     SideId first = triangles.side_of(v);
-    if (!triangles.on_boundary(v))
+    bool on_curve = triangles.on_boundary(v);
+    if (!on_curve)
       for_each_side_around(triangles, v, [&](SideId s) {
-        if (tags.constrained(s)) first = s;
+        if (!tags.constrained(s)) return;
+        first = s;
+        on_curve = true;
       });
+    const bool tip = !on_curve && !tags.support[v].is_free();
     std::vector<SideId> fan;
     Vec3 sum;
     const auto close = [&] {
+      if (fan.empty()) return;
       const Vec3 normal = unit(sum);
       for (const SideId s : fan) normals[s.face().value()][static_cast<std::size_t>(s.index())] = normal;
       fan.clear();
       sum = {};
     };
     for (SideId s = first; s.valid();) {
-      if (tags.constrained(s)) close();
+      if (tip || tags.constrained(s)) close();
       fan.push_back(s);
       sum = sum + weighted_normal(triangles, s);
       s = triangles.turn_left(s);
