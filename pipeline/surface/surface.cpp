@@ -98,11 +98,12 @@ class SurfaceJob {
       result_.names = last.names;
       result_.repaired = std::move(last.repaired);
       result_.repair = last.repair;
-      result_.lines = last.lines;
+      result_.lines = std::move(last.lines);
       result_.notes = notes;
       result_.size = last.size * std::clamp(std::sqrt(ratio), 1 / kMostScale, kMostScale);
       if (meshes_by_method(repaired) && miss() < before) continue;
       last.repaired = std::move(result_.repaired);
+      last.lines = std::move(result_.lines);
       result_ = std::move(last);
       return;
     }

@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
-#include <map>
 #include <optional>
-#include <set>
+#include <utility>
 
 #include "surface/imprint/split_surface.hpp"
 #include "surface/project/triangle_tree.hpp"
@@ -132,26 +130,33 @@ class Imprinter {
 
   // Of each line, the others that have points of it.
   void find_meetings() {
-    std::map<std::uint32_t, std::set<std::int32_t>> at;
+    std::vector<std::pair<std::uint32_t, std::int32_t>> at;  // points and lines
     for (const auto& [ends, number] : split_.marks())
-      for (const std::uint32_t p : ends) at[p].insert(number);
+      for (const std::uint32_t p : ends) at.emplace_back(p, number);
     for (std::size_t i = 0; i < courses_.size(); ++i)
-      for (const std::uint32_t p : courses_[i]) at[p].insert(static_cast<std::int32_t>(i));
-    for (const auto& [p, lines] : at) {
-      if (lines.size() < 2) continue;
-      for (const std::int32_t line : lines) {
-        const std::vector<std::uint32_t>& course = courses_[static_cast<std::size_t>(line)];
-        ImprintedLine& told = report_.lines[static_cast<std::size_t>(line)];
-        told.meets = told.meets || (p != course.front() && p != course.back());
-        told.with.insert(told.with.end(), lines.begin(), lines.end());
-      }
+      for (const std::uint32_t p : courses_[i]) at.emplace_back(p, static_cast<std::int32_t>(i));
+    sort_unique(at);
+    for (std::size_t begin = 0, end = 0; begin < at.size(); begin = end) {
+      while (end < at.size() && at[end].first == at[begin].first) ++end;
+      if (end - begin > 1) meet(std::span(at).subspan(begin, end - begin));
     }
-    for (std::size_t i = 0; i < report_.lines.size(); ++i) {
-      std::vector<std::int32_t>& with = report_.lines[i].with;
-      std::sort(with.begin(), with.end());
-      with.erase(std::unique(with.begin(), with.end()), with.end());
-      std::erase(with, static_cast<std::int32_t>(i));
+    for (ImprintedLine& told : report_.lines) sort_unique(told.with);
+  }
+
+  // At one point.
+  void meet(std::span<const std::pair<std::uint32_t, std::int32_t>> lines) {
+    for (const auto& [p, line] : lines) {
+      const std::vector<std::uint32_t>& course = courses_[static_cast<std::size_t>(line)];
+      ImprintedLine& told = report_.lines[static_cast<std::size_t>(line)];
+      told.meets = told.meets || (p != course.front() && p != course.back());
+      for (const auto& [same, other] : lines)
+        if (other != line) told.with.push_back(other);
     }
+  }
+  template <class T>
+  static void sort_unique(std::vector<T>& values) {
+    std::sort(values.begin(), values.end());
+    values.erase(std::unique(values.begin(), values.end()), values.end());
   }
 
   struct Way {
@@ -208,15 +213,15 @@ class Imprinter {
   std::int32_t number_ = 0;
   ImprintedLine* told_ = nullptr;
   std::vector<std::uint32_t>* course_ = nullptr;
-  std::deque<std::vector<std::uint32_t>> courses_;  // by line: the points of the surface that it goes through
-  std::optional<std::uint32_t> last_;               // the point of the surface that the line has come to
+  std::vector<std::vector<std::uint32_t>>
+      courses_;                        // by line: the points of the surface that it goes through
+  std::optional<std::uint32_t> last_;  // the point of the surface that the line has come to
 };
 
 }  // namespace
 
 std::vector<LineEdge> imprint_lines(RepairedSurface& repaired, std::span<const SurfaceLine> lines,
                                     const ImprintOptions& options, ImprintReport& report) {
-  report.lines.reserve(lines.size());
   Imprinter imprinter(repaired, options, report);
   for (std::size_t i = 0; i < lines.size(); ++i) imprinter.add(lines[i], static_cast<std::int32_t>(i));
   return imprinter.finish();

@@ -136,14 +136,7 @@ class JoinCoarsener {
   }
 
   void finish() {
-    std::size_t to = 0;
-    for (std::size_t t = 0; t < surface_.triangles.size(); ++t) {
-      if (surface_.triangles[t][0] == kGone) continue;
-      surface_.triangles[to] = surface_.triangles[t];
-      surface_.groups[to++] = surface_.groups[t];
-    }
-    surface_.triangles.resize(to);
-    surface_.groups.resize(to);
+    keep_triangles(surface_, [&](std::size_t t) { return surface_.triangles[t][0] != kGone; });
     repaired_.joins.clear();
     for (const auto& [join, passed] : passed_) repaired_.joins.push_back(join);
   }

@@ -39,7 +39,7 @@ class CapCutter {
       if (corners == kGone) continue;
       if (const auto apex = apex_of(corners)) cut(t, *apex);
     }
-    drop_gone();
+    keep_triangles(surface_, [&](std::size_t t) { return surface_.triangles[t] != kGone; });
     return std::move(places_);
   }
 
@@ -87,17 +87,6 @@ class CapCutter {
       around_[p].push_back(static_cast<std::uint32_t>(surface_.triangles.size()));
     surface_.triangles.push_back(corners);
     surface_.groups.push_back(group);
-  }
-
-  void drop_gone() {
-    std::size_t kept = 0;
-    for (std::size_t t = 0; t < surface_.triangles.size(); ++t) {
-      if (surface_.triangles[t] == kGone) continue;
-      surface_.triangles[kept] = surface_.triangles[t];
-      surface_.groups[kept++] = surface_.groups[t];
-    }
-    surface_.triangles.resize(kept);
-    surface_.groups.resize(kept);
   }
 
   TriangleSurface& surface_;

@@ -130,17 +130,9 @@ class Repair {
   }
 
   void drop(const std::vector<std::uint8_t>& bad, RepairCount& count) {
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < bad.size(); ++i) {
-      if (bad[i] != 0) {
-        count.add(middle(surface_.triangles[i]));
-        continue;
-      }
-      surface_.triangles[kept] = surface_.triangles[i];
-      surface_.groups[kept++] = surface_.groups[i];
-    }
-    surface_.triangles.resize(kept);
-    surface_.groups.resize(kept);
+    for (std::size_t i = 0; i < bad.size(); ++i)
+      if (bad[i] != 0) count.add(middle(surface_.triangles[i]));
+    keep_triangles(surface_, [&](std::size_t t) { return bad[t] == 0; });
   }
 
   void drop_unused_points() {

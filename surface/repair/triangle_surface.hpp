@@ -23,4 +23,17 @@ struct TriangleSurface {
   return cross(surface.points[t[1]] - a, surface.points[t[2]] - a);
 }
 
+// Takes the other triangles out, with their groups; the order stays. keep(t): of triangle t.
+template <class Keep>
+void keep_triangles(TriangleSurface& surface, const Keep& keep) {
+  std::size_t kept = 0;
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    if (!keep(t)) continue;
+    surface.triangles[kept] = surface.triangles[t];
+    surface.groups[kept++] = surface.groups[t];
+  }
+  surface.triangles.resize(kept);
+  surface.groups.resize(kept);
+}
+
 }  // namespace quarry
