@@ -76,13 +76,16 @@ void frame_window(Canvas& canvas, const PictureView& view) {
   canvas.stroke({0.45, 0.48, 0.53}, 1.0, 1.5 * view.unit());
 }
 
-std::string draw_plane(Canvas::Format format, const Mesh& mesh, const PictureOptions& options) {
+std::string draw_plane(Canvas::Format format, const Mesh& mesh, const PictureOptions& options,
+                       const Progress& progress) {
   const PictureView view(options.window.value_or(mesh.box()), options.width);
   Canvas canvas(format, view.width(), view.height());
   cairo_save(canvas.context());
   if (options.window) clip_to_window(canvas, view);
   draw_faces(canvas, view, mesh, options);
+  progress.throw_if_cancelled();
   draw_element_edges(canvas, view, mesh);
+  progress.throw_if_cancelled();
   draw_constraints(canvas, view, mesh, options);
   draw_points(canvas, view, mesh);
   cairo_restore(canvas.context());
@@ -92,8 +95,9 @@ std::string draw_plane(Canvas::Format format, const Mesh& mesh, const PictureOpt
 }
 
 std::string draw_space(const std::string& path, Canvas::Format format, const Mesh& mesh,
-                       const PictureOptions& options) {
+                       const PictureOptions& options, const Progress& progress) {
   const SeenMesh seen = see_mesh(mesh, options);
+  progress.throw_if_cancelled();
   if (seen.faces.empty())
     throw Error(ErrorKind::kUsage, fmt::format("{}: no face lies in the ball that is to be shown", path));
   const PictureView view(seen.box, options.width);
@@ -105,11 +109,14 @@ std::string draw_space(const std::string& path, Canvas::Format format, const Mes
 
 }  // namespace
 
-void write_picture(const std::string& path, const Mesh& mesh, const PictureOptions& options) {
+void write_picture(const std::string& path, const Mesh& mesh, const PictureOptions& options,
+                   const Progress& progress) {
   const Canvas::Format format = format_of(path);
   check(path, mesh, options);
-  write_file(path,
-             mesh.planar() ? draw_plane(format, mesh, options) : draw_space(path, format, mesh, options));
+  const std::string bytes = mesh.planar() ? draw_plane(format, mesh, options, progress)
+                                          : draw_space(path, format, mesh, options, progress);
+  progress.throw_if_cancelled();
+  write_file(path, bytes);
 }
 
 void check_picture_extension(const std::string& path) { static_cast<void>(format_of(path)); }

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 
+#include "engine/base/progress.hpp"
 #include "engine/geometry/box.hpp"
 #include "engine/mesh/mesh.hpp"
 
@@ -48,8 +49,10 @@ struct PictureOptions {
 
 // Writes .svg or .png as the extension says. Throws Error(kUsage) for another extension, a width outside
 // [64, 20000], a window or ball that is empty or holds no face, a mesh without faces, a window of a mesh in
-// space or a ball of one in the plane; Error(kOutput) where it cannot be written.
-void write_picture(const std::string& path, const Mesh& mesh, const PictureOptions& options);
+// space or a ball of one in the plane; Error(kOutput) where it cannot be written; Error(kInterrupted), before
+// it writes, once the progress is cancelled.
+void write_picture(const std::string& path, const Mesh& mesh, const PictureOptions& options,
+                   const Progress& progress = Progress());
 
 // Throws Error(kUsage) unless write_picture knows the extension: for a check before a long job.
 void check_picture_extension(const std::string& path);

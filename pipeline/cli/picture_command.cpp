@@ -70,7 +70,7 @@ void run(const PictureArguments& arguments) {
   if (arguments.up == "y") options.view.up = UpAxis::kY;
   if (const auto& a = arguments.around; !a.empty()) options.around = Ball{{a[0], a[1], a[2]}, a[3]};
   progress.throw_if_cancelled();
-  write_picture(arguments.output, mesh, options);
+  write_picture(arguments.output, mesh, options, progress);
   log::info("wrote {}", arguments.output);
 }
 
