@@ -1,6 +1,7 @@
 #include "pipeline/surface/surface_lines.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <string>
 #include <tuple>
@@ -10,6 +11,8 @@
 
 #include "engine/base/log.hpp"
 #include "pipeline/surface/elements.hpp"
+#include "surface/feature/edge_chains.hpp"
+#include "surface/feature/polyline3.hpp"
 
 namespace quarry {
 namespace {
@@ -50,25 +53,43 @@ std::pair<LineFate, std::string> fate_of(const ImprintedLine& line) {
   return {line.meets ? LineFate::kSplit : LineFate::kKept, ""};
 }
 
-double distance_to_segment(Vec3 p, Vec3 a, Vec3 b) {
-  const Vec3 d = b - a;
-  const double squared = dot(d, d);
-  const double share = squared > 0 ? std::clamp(dot(p - a, d) / squared, 0.0, 1.0) : 0.0;
-  return length(p - (a + share * d));
-}
+using Courses = std::vector<Polyline3>;
 
-using Segments = std::vector<std::pair<Vec3, Vec3>>;
-
-// By line.
-std::vector<Segments> edges_of_lines(const Mesh& mesh, std::size_t lines) {
-  std::vector<Segments> edges(lines);
+// What the mesh has of each line.
+std::vector<Courses> courses_of_lines(const Mesh& mesh, std::size_t lines) {
   const auto constraint = mesh.find_tag<EdgeId, std::int32_t>("constraint");
+  std::vector<std::array<std::uint32_t, 2>> ends;
+  std::vector<std::size_t> line_of;
+  std::vector<std::uint32_t> edges_at(mesh.vertex_slots(), 0);
   for (const EdgeId e : mesh.edges()) {
     if (constraint[e] < 0 || static_cast<std::size_t>(constraint[e]) >= lines) continue;
     const auto [a, b] = mesh.edge_ends(e);
-    edges[static_cast<std::size_t>(constraint[e])].emplace_back(mesh.point3(a), mesh.point3(b));
+    ends.push_back({a.value(), b.value()});
+    line_of.push_back(static_cast<std::size_t>(constraint[e]));
+    for (const VertexId v : {a, b}) ++edges_at[v.value()];
   }
-  return edges;
+  std::vector<std::uint8_t> node(mesh.vertex_slots());
+  for (std::size_t v = 0; v < node.size(); ++v) node[v] = edges_at[v] != 2 ? 1 : 0;
+  // Where one line ends and another begins.
+  std::vector<std::size_t> first(mesh.vertex_slots(), lines);
+  for (std::size_t e = 0; e < ends.size(); ++e)
+    for (const std::uint32_t v : ends[e]) {
+      if (first[v] == lines) first[v] = line_of[e];
+      if (first[v] != line_of[e]) node[v] = 1;
+    }
+  std::vector<Courses> courses(lines);
+  for (const EdgeChain& chain : edge_chains(ends, node)) {
+    std::vector<Vec3> points;
+    for (const std::uint32_t v : chain.points) points.push_back(mesh.point3(VertexId(v)));
+    courses[line_of[chain.first_edge]].emplace_back(std::move(points));
+  }
+  return courses;
+}
+
+double distance_to(const Courses& courses, Vec3 place) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Polyline3& course : courses) nearest = std::min(nearest, length(course.nearest(place) - place));
+  return nearest;
 }
 
 }  // namespace
@@ -100,19 +121,16 @@ IdVector<LineId, LedgerEntry> ledger_of(const ImprintReport& imprint) {
 
 IdVector<LineId, double> line_distances(const SurfaceResult& result) {
   const std::vector<ImprintedLine>& lines = result.imprint.lines;
-  const std::vector<Segments> edges = edges_of_lines(result.mesh, lines.size());
+  const std::vector<Courses> courses = courses_of_lines(result.mesh, lines.size());
   IdVector<LineId, double> distances(lines.size(), std::numeric_limits<double>::quiet_NaN());
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (lines[i].edges + lines[i].shared == 0) continue;
-    Segments own = edges[i];
-    if (lines[i].shared > 0)
-      for (const std::int32_t other : lines[i].with)
-        own.insert(own.end(), edges[static_cast<std::size_t>(other)].begin(),
-                   edges[static_cast<std::size_t>(other)].end());
     double largest = 0;
     for (const Vec3 place : lines[i].places) {
-      double nearest = std::numeric_limits<double>::infinity();
-      for (const auto& [a, b] : own) nearest = std::min(nearest, distance_to_segment(place, a, b));
+      double nearest = distance_to(courses[i], place);
+      if (lines[i].shared > 0)
+        for (const std::int32_t other : lines[i].with)
+          nearest = std::min(nearest, distance_to(courses[static_cast<std::size_t>(other)], place));
       largest = std::max(largest, nearest);
     }
     distances[LineId(i)] = largest;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/geometry/space_segment.hpp"
+
 namespace quarry {
 namespace {
 
@@ -36,12 +38,8 @@ class Turns {
   [[nodiscard]] double height(std::size_t i, std::size_t stays) const {
     double back = along_[stays] - along_[i];
     if (closed_ && std::abs(back) > 0.5 * total()) back -= std::copysign(total(), back);
-    const Vec3 from = chain_[stays];
-    const Vec3 way = place(along_[i] + (back > 0 ? -reach_ : reach_)) - from;
-    const Vec3 off = chain_[i] - from;
-    const double squared = dot(way, way);
-    const double share = squared > 0 ? std::clamp(dot(off, way) / squared, 0.0, 1.0) : 0.0;
-    return length(off - share * way);
+    const Vec3 beyond = place(along_[i] + (back > 0 ? -reach_ : reach_));
+    return length(chain_[i] - closest_on_segment(chain_[i], chain_[stays], beyond));
   }
 
   // Along the chain, the shorter way where it is closed.

@@ -1,10 +1,12 @@
 #include "surface/feature/curve_network.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "surface/feature/corners.hpp"
 #include "surface/feature/cusps.hpp"
+#include "surface/feature/edge_chains.hpp"
 #include "surface/feature/point_incidence.hpp"
 
 namespace quarry {
@@ -18,37 +20,31 @@ class CurveBuilder {
         features_(features),
         options_(options),
         at_(surface.points.size(), features.size(), [&](std::size_t e) { return features[e].ends; }),
-        node_(surface.points.size(), 0),
-        seen_(features.size(), 0) {}
+        node_(surface.points.size(), 0) {
+    for (const FeatureEdge& feature : features) ends_.push_back(feature.ends);
+  }
 
   CurveNetwork run() {
     find_junctions();
     // Chains between junctions first: corners are looked for along them.
     std::vector<std::uint32_t> corners;
-    for (const Chain& chain : chains()) {
-      const ChainEnds ends = node_[chain.points.front()] != 0 ? ChainEnds::kNodes : ChainEnds::kClosed;
-      for (const std::uint32_t corner : find_corners(points_of(chain.points), ends, options_))
+    for (const EdgeChain& chain : edge_chains(ends_, node_))
+      for (const std::uint32_t corner : find_corners(points_of(chain.points), chain.ends, options_))
         corners.push_back(chain.points[corner]);
-    }
     for (const std::uint32_t corner : corners) node_[corner] = 1;
     for (const std::uint32_t cusp : find_cusps(surface_, bound(), options_.size)) node_[cusp] = 1;
     CurveNetwork network;
     for (std::uint32_t p = 0; p < node_.size(); ++p)
       if (node_[p] != 0) network.nodes.push_back(p);
-    for (Chain& chain : chains()) {
+    for (EdgeChain& chain : edge_chains(ends_, node_)) {
       Polyline3 course(points_of(chain.points));
-      network.curves.push_back({std::move(chain.points), chain.kind, chain.line, std::move(course)});
+      const FeatureEdge& first = features_[chain.first_edge];
+      network.curves.push_back({std::move(chain.points), first.kind, first.line, std::move(course)});
     }
     return network;
   }
 
  private:
-  struct Chain {
-    std::vector<std::uint32_t> points;
-    FeatureKind kind;
-    std::int32_t line;
-  };
-
   // By point, whether it lies on a feature.
   [[nodiscard]] std::vector<std::uint8_t> bound() const {
     std::vector<std::uint8_t> bound(node_.size());
@@ -72,38 +68,12 @@ class CurveBuilder {
     }
   }
 
-  // All edges in chains that end at nodes; then those of closed courses without a node, from their smallest
-  // point on.
-  std::vector<Chain> chains() {
-    std::fill(seen_.begin(), seen_.end(), 0);
-    std::vector<Chain> result;
-    for (const bool closed : {false, true})
-      for (std::uint32_t p = 0; p < node_.size(); ++p)
-        if (closed || node_[p] != 0)
-          for (const std::uint32_t e : at_.around(p))
-            if (seen_[e] == 0) result.push_back(follow(p, e));
-    return result;
-  }
-
-  Chain follow(std::uint32_t from, std::uint32_t edge) {
-    Chain chain{{from}, features_[edge].kind, features_[edge].line};
-    std::uint32_t at = from;
-    for (;;) {
-      seen_[edge] = 1;
-      const auto& ends = features_[edge].ends;
-      at = ends[0] == at ? ends[1] : ends[0];
-      chain.points.push_back(at);
-      if (node_[at] != 0 || at == from) return chain;
-      const auto edges = at_.around(at);
-      edge = edges[0] == edge ? edges[1] : edges[0];
-    }
-  }
-
   const TriangleSurface& surface_;
   std::span<const FeatureEdge> features_;
   const FeatureOptions& options_;
   PointIncidence at_;  // features
-  std::vector<std::uint8_t> node_, seen_;
+  std::vector<std::array<std::uint32_t, 2>> ends_;
+  std::vector<std::uint8_t> node_;
 };
 
 }  // namespace

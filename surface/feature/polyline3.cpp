@@ -6,17 +6,10 @@
 #include <limits>
 #include <utility>
 
+#include "engine/geometry/space_segment.hpp"
+
 namespace quarry {
 namespace {
-
-Vec3 nearest_on_segment(Vec3 a, Vec3 b, Vec3 p) {
-  const Vec3 d = b - a;
-  const double squared = dot(d, d);
-  if (!(squared > 0)) return a;
-  const double t = dot(p - a, d) / squared;
-  if (t <= 0) return a;
-  return t >= 1 ? b : a + t * d;
-}
 
 double outside(double value, double low, double high) { return std::max({low - value, value - high, 0.0}); }
 
@@ -63,7 +56,7 @@ Vec3 Polyline3::nearest(Vec3 p) const {
 // The nearer half first; the left one of equals, and an equal distance changes nothing: the first point wins.
 void Polyline3::visit(std::size_t node, std::size_t begin, std::size_t end, Vec3 p, Nearest& best) const {
   if (end - begin == 1) {
-    const Vec3 q = nearest_on_segment(points_[begin], points_[end], p);
+    const Vec3 q = closest_on_segment(p, points_[begin], points_[end]);
     const double squared = dot(q - p, q - p);
     if (squared < best.squared) best = {q, squared};
     return;

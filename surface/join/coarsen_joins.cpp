@@ -6,18 +6,13 @@
 #include <utility>
 #include <vector>
 
+#include "engine/geometry/space_segment.hpp"
+
 namespace quarry {
 namespace {
 
 // The cosine of the turn that a triangle may make.
 constexpr double kLeastTurnCosine = 0.5;
-
-double distance_to_segment(Vec3 a, Vec3 b, Vec3 p) {
-  const Vec3 d = b - a;
-  const double squared = dot(d, d);
-  const double share = squared > 0 ? std::clamp(dot(p - a, d) / squared, 0.0, 1.0) : 0.0;
-  return length(p - (a + share * d));
-}
 
 class JoinCoarsener {
  public:
@@ -95,7 +90,7 @@ class JoinCoarsener {
   [[nodiscard]] bool keeps_curve(std::uint32_t a, std::uint32_t b,
                                  const std::vector<std::uint32_t>& passed) const {
     return std::all_of(passed.begin(), passed.end(), [&](std::uint32_t p) {
-      return distance_to_segment(point(a), point(b), point(p)) <= deviation_;
+      return length(point(p) - closest_on_segment(point(p), point(a), point(b))) <= deviation_;
     });
   }
 

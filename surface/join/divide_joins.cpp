@@ -21,7 +21,7 @@ class ChainDivider {
   ChainDivider(SplitSurface& surface, std::vector<std::uint8_t>& kept, double edge)
       : surface_(surface), kept_(kept), edge_(edge) {}
 
-  void divide(const JoinChain& chain) {
+  void divide(const EdgeChain& chain) {
     std::vector<double> at{0};
     for (std::size_t i = 1; i < chain.points.size(); ++i)
       at.push_back(at.back() + length(surface_.point(chain.points[i]) - surface_.point(chain.points[i - 1])));
@@ -68,10 +68,10 @@ class ChainDivider {
 void divide_joins(RepairedSurface& repaired, const DivideJoinsOptions& options) {
   if (repaired.joins.empty()) return;
   std::vector<std::uint8_t> kept;
-  const std::vector<JoinChain> chains = join_chains(repaired, options.corners);
+  const std::vector<EdgeChain> chains = join_chains(repaired, options.corners);
   SplitSurface surface(repaired);
   ChainDivider divider(surface, kept, options.edge);
-  for (const JoinChain& chain : chains) divider.divide(chain);
+  for (const EdgeChain& chain : chains) divider.divide(chain);
   surface.finish();
   kept.resize(repaired.surface.points.size(), 0);
   coarsen_joins(repaired, kept, options.deviation);
