@@ -31,9 +31,9 @@ Vec2 point_on_piece(const State& state, PieceId piece, Vec2 p) {
 }
 
 bool try_move(MeshEditor& editor, const State& state, VertexId v, Vec2 p, double before) {
-  const double after = star_quality(editor.mesh(), v, p);
-  if (after <= 0 || after < (state.options.guard_star_minimum ? before : state.options.min_quality))
-    return false;
+  const double enough = state.options.guard_star_minimum ? before : state.options.min_quality;
+  const double after = star_quality(editor.mesh(), v, p, enough);
+  if (after <= 0 || after < enough) return false;
   editor.set_point(v, p);
   return true;
 }

@@ -77,7 +77,7 @@ PassReport flip_to_better(Mesh& mesh, const Progress& progress) {
   work.reserve(sides.size());
   for (const std::uint32_t i : sides)
     work.push_back({mesh.origin(SideId(i)), mesh.target(SideId(i)), SideId(i)});
-  PassReport report = run_pass(mesh, operation, std::move(work), PassOptions(), progress);
+  PassReport report = run_pass(mesh, operation, std::move(work), {.window = 4096, .cutoff = 1}, progress);
   report.name = "flips to better triangles";
   return report;
 }

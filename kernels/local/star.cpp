@@ -6,16 +6,25 @@
 #include "kernels/quality/element.hpp"
 
 namespace quarry {
+namespace {
 
-double star_quality(const Mesh& mesh, VertexId v, Vec2 p) {
+// A triangle with a larger measure is counter-clockwise for certain: coordinate differences are rounded once,
+// so that the error of the doubled area is within a few units in the last place of the squared edges.
+constexpr double kSurelyPositive = 1e-12;
+
+}  // namespace
+
+double star_quality(const Mesh& mesh, VertexId v, Vec2 p, double enough) {
   double worst = 1;
   const SideId first = mesh.side_of(v);
   for (SideId s = first; s.valid();) {
     const Vec2 a = mesh.point(mesh.target(s));
     const SideId back = mesh.previous(s);
     const Vec2 b = mesh.point(mesh.origin(back));
-    if (!(orient2d(p, a, b) > 0)) return -1;
-    worst = std::min(worst, lo_measure(p, a, b));
+    const double measure = lo_measure(p, a, b);
+    if (!(measure > kSurelyPositive) && !(orient2d(p, a, b) > 0)) return -1;
+    if (measure < enough) return measure;
+    worst = std::min(worst, measure);
     s = mesh.neighbour(back);
     if (s == first) break;
   }

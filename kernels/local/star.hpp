@@ -7,8 +7,9 @@
 namespace quarry {
 
 // Lo's measure of the worst triangle of the star of v, were v at p: in (0, 1] if all triangles turn left
-// (exact), else -1. Araujo & Celes 2014, eqs. (1) and (2).
-[[nodiscard]] double star_quality(const Mesh& mesh, VertexId v, Vec2 p);
+// (exact), else -1. Araujo & Celes 2014, eqs. (1) and (2). Below `enough` it is some value below it: who needs
+// no more than that gets an answer sooner.
+[[nodiscard]] double star_quality(const Mesh& mesh, VertexId v, Vec2 p, double enough = 0);
 
 // Claims v and its link.
 void claim_star(const Mesh& mesh, VertexId v, Cavity& cavity);
