@@ -1,17 +1,20 @@
 #include "kernels/deferred/attraction.hpp"
 
-#include "kernels/local/star.hpp"
-
 namespace quarry::deferred {
 
-Attraction measure_attraction(const Mesh& mesh, VertexId v, Vec2 p) {
+AttractionMeter::AttractionMeter(const Mesh& mesh, VertexId v) : vertex_(v) {
+  link_.gather(mesh, v);
+  before_ = star_quality(link_, mesh.point(v));
+}
+
+Attraction AttractionMeter::to(Vec2 p) const {
   Attraction result;
-  const double after = star_quality(mesh, v, p);
+  const double after = star_quality(link_, p);
   if (after <= 0) return result;
-  result.vertex = v;
+  result.vertex = vertex_;
   result.target = p;
   result.after = after;
-  result.before = star_quality(mesh, v, mesh.point(v));
+  result.before = before_;
   return result;
 }
 

@@ -4,6 +4,7 @@
 
 #include "engine/mesh/mesh.hpp"
 #include "kernels/deferred/state.hpp"
+#include "kernels/local/star.hpp"
 
 namespace quarry::deferred {
 
@@ -18,8 +19,18 @@ struct Attraction {
   }
 };
 
-// The attraction of v to p, with vertex none if it would invert a triangle.
-[[nodiscard]] Attraction measure_attraction(const Mesh& mesh, VertexId v, Vec2 p);
+// Measures attractions of one vertex.
+class AttractionMeter {
+ public:
+  AttractionMeter(const Mesh& mesh, VertexId v);
+  // The attraction to p, with vertex none if it would invert a triangle.
+  [[nodiscard]] Attraction to(Vec2 p) const;
+
+ private:
+  VertexId vertex_;
+  Link link_;
+  double before_;
+};
 
 // True if the attraction keeps to both limits.
 [[nodiscard]] bool acceptable(const Attraction& attraction, double quality_limit, double distortion_limit);

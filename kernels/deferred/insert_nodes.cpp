@@ -27,7 +27,7 @@ bool NodeInsertion::propose(const Mesh& mesh, NodeId node, Cavity& cavity, Plan&
   for (int k = 0; k < 3; ++k) {
     const VertexId v = mesh.corner(face, k);
     if (!state_.tags.support[v].is_free() || mesh.on_boundary(v)) continue;
-    const Attraction attraction = measure_attraction(mesh, v, p);
+    const Attraction attraction = AttractionMeter(mesh, v).to(p);
     if (attraction.better_than(best)) best = attraction;
   }
   const std::uint32_t tries = state_.node_tries[node];

@@ -77,12 +77,13 @@ Attraction PieceInsertion::best_attraction(const Mesh& mesh, PieceId piece, cons
   Attraction best;
   for (const VertexId v : {mesh.origin(exit.side), mesh.target(exit.side)}) {
     if (!state_.tags.support[v].is_free() || mesh.on_boundary(v)) continue;
+    const AttractionMeter meter(mesh, v);
     const double foot = dot(mesh.point(v) - p, d) / length2;
     const int targets = state_.options.several_targets ? 5 : 1;
     for (int i = 0; i < targets; ++i) {
       const double t = crossing + 0.25 * i * (foot - crossing);
       if (!(t >= kNearestTarget * crossing && t < 1)) continue;
-      const Attraction attraction = measure_attraction(mesh, v, p + t * d);
+      const Attraction attraction = meter.to(p + t * d);
       if (attraction.better_than(best)) best = attraction;
     }
   }

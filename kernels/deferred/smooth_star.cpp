@@ -9,16 +9,15 @@ namespace quarry::deferred {
 namespace {
 
 // The mean of the link, weighted as the options say.
-Vec2 mean_of_link(const MeshEditor& editor, const State& state, VertexId v) {
-  const Vec2 here = editor.point(v);
+Vec2 mean_of_link(const Link& link, const State& state, Vec2 here) {
   Vec2 sum;
   double weights = 0;
-  for_each_link_vertex(editor.mesh(), v, [&](VertexId u) {
-    const Vec2 d = editor.point(u) - here;
+  for (const Vec2 p : link.distinct()) {
+    const Vec2 d = p - here;
     const double weight = state.options.inverse_length_weights ? 1 / length(d) : 1;
     sum = sum + weight * d;
     weights += weight;
-  });
+  }
   return here + (1 / weights) * sum;
 }
 
@@ -30,28 +29,29 @@ Vec2 point_on_piece(const State& state, PieceId piece, Vec2 p) {
   return a + t * d;
 }
 
-bool try_move(MeshEditor& editor, const State& state, VertexId v, Vec2 p, double before) {
+bool try_move(MeshEditor& editor, const State& state, const Link& link, VertexId v, Vec2 p, double before) {
   const double enough = state.options.guard_star_minimum ? before : state.options.min_quality;
-  const double after = star_quality(editor.mesh(), v, p, enough);
+  const double after = star_quality(link, p, enough);
   if (after <= 0 || after < enough) return false;
   editor.set_point(v, p);
   return true;
 }
 
 // True if the vertex moved by more than a small share of the spacing.
-bool smooth_vertex(MeshEditor& editor, const State& state, VertexId v) {
+bool smooth_vertex(MeshEditor& editor, const State& state, VertexId v, Link& link) {
   const Support support = editor.get(state.tags.support, v);
   if (support.is_fixed()) return false;
   const Vec2 here = editor.point(v);
-  Vec2 p = mean_of_link(editor, state, v);
+  link.gather(editor.mesh(), v);
+  Vec2 p = mean_of_link(link, state, here);
   if (support.slides()) p = point_on_piece(state, support.piece(), p);
   const double enough = 1e-3 * state.options.spacing;
   if (squared_length(p - here) < enough * enough) return false;
-  const double before = star_quality(editor.mesh(), v, here);
-  if (try_move(editor, state, v, p, before)) return true;
+  const double before = star_quality(link, here);
+  if (try_move(editor, state, link, v, p, before)) return true;
   p = midpoint(here, p);
   if (support.slides()) p = point_on_piece(state, support.piece(), p);
-  return try_move(editor, state, v, p, before);
+  return try_move(editor, state, link, v, p, before);
 }
 
 }  // namespace
@@ -61,9 +61,10 @@ void smooth_star(MeshEditor& editor, const State& state, VertexId v) {
   for_each_link_vertex(editor.mesh(), v, [&](VertexId u) {
     if (!editor.mesh().on_boundary(u)) vertices.push_back(u);
   });
+  Link link;
   for (std::uint32_t sweep = 0; sweep < state.options.sweeps; ++sweep) {
     bool moved = false;
-    for (const VertexId u : vertices) moved = smooth_vertex(editor, state, u) || moved;
+    for (const VertexId u : vertices) moved = smooth_vertex(editor, state, u, link) || moved;
     if (!moved) return;
   }
 }

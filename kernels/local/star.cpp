@@ -14,19 +14,21 @@ constexpr double kSurelyPositive = 1e-12;
 
 }  // namespace
 
-double star_quality(const Mesh& mesh, VertexId v, Vec2 p, double enough) {
+void Link::gather(const Mesh& mesh, VertexId v) {
+  points_.clear();
+  for_each_link_vertex(mesh, v, [&](VertexId u) { points_.push_back(mesh.point(u)); });
+  closed_ = !points_.empty() && !mesh.on_boundary(v);
+  if (closed_) points_.push_back(points_.front());
+}
+
+double star_quality(const Link& link, Vec2 p, double enough) {
   double worst = 1;
-  const SideId first = mesh.side_of(v);
-  for (SideId s = first; s.valid();) {
-    const Vec2 a = mesh.point(mesh.target(s));
-    const SideId back = mesh.previous(s);
-    const Vec2 b = mesh.point(mesh.origin(back));
-    const double measure = lo_measure(p, a, b);
-    if (!(measure > kSurelyPositive) && !(orient2d(p, a, b) > 0)) return -1;
+  const std::span<const Vec2> points = link.points();
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const double measure = lo_measure(p, points[i - 1], points[i]);
+    if (!(measure > kSurelyPositive) && !(orient2d(p, points[i - 1], points[i]) > 0)) return -1;
     if (measure < enough) return measure;
     worst = std::min(worst, measure);
-    s = mesh.neighbour(back);
-    if (s == first) break;
   }
   return worst;
 }
