@@ -38,23 +38,30 @@ constexpr double kMostCells = 1.1;
 // to 0.002 higher with 50,000 quads, in 1.3 to 1.5 times the time.
 constexpr int kFirstSweepsOfLattice = 3, kSweepsBetweenOfLattice = 1, kLastSweepsOfLattice = 10;
 
+// What is farther from the triangles than this share of their square's edge counts as lost.
+constexpr double kLostFrom = 0.6;
+
 class ElementMaker {
  public:
   ElementMaker(const SurfaceToMesh& surface, const SurfaceOptions& options, SurfaceResult& result,
-               StageClock& clock, const Progress& progress)
-      : surface_(surface), options_(options), result_(result), clock_(clock), progress_(progress) {}
+               std::vector<TightPlace>* lost, StageClock& clock, const Progress& progress)
+      : surface_(surface),
+        options_(options),
+        result_(result),
+        lost_(lost),
+        clock_(clock),
+        progress_(progress) {}
 
-  bool run() {
+  ElementsMade run() {
     // With a wanted edge and details as many as there are: the details need more.
     if (options_.count || surface_.sizes.uniform())
       wanted_quads_ = surface_.area / (result_.size * result_.size);
-    if (result_.method == SurfaceQuads::kField) {
-      if (!make_lattice_triangles()) return false;
-    } else {
-      remesh(1, RemeshOptions().rounds);
-    }
+    const bool by_field = result_.method == SurfaceQuads::kField;
+    remesh(by_field ? kTrianglesForLattice : 1, by_field ? kRoundsForLattice : RemeshOptions().rounds);
+    if (loses_surface()) return ElementsMade::kSurfaceLost;
+    if (by_field && !make_lattice_triangles()) return ElementsMade::kTooManyCells;
     if (options_.elements != Elements::kTriangle) make_quads();
-    return true;
+    return ElementsMade::kAll;
   }
 
  private:
@@ -64,6 +71,7 @@ class ElementMaker {
     RemeshOptions remesh;
     remesh.rounds = rounds;
     remesh.keep_rims = options_.keep_boundary;
+    if (lost_ != nullptr) remesh.lost_from = kLostFrom;
     const double edge = share * first_edge(options_.elements, result_.method) * result_.size;
     if (options_.count)
       remesh.wanted_faces = surface_.area / (element_area(Elements::kTriangle) * edge * edge);
@@ -71,9 +79,15 @@ class ElementMaker {
                                     surface_.sizes.times(share), remesh, progress_);
   }
 
+  // Tips that are cut off are reached by single vertices later, with edges as long as the tips.
+  [[nodiscard]] bool loses_surface() {
+    for (const Vec3 p : result_.remesh.lost)
+      lost_->push_back({p, 0.5 * surface_.sizes.at(surface_.model.nearest({p, Vec3()}))});
+    return !result_.remesh.lost.empty();
+  }
+
   // False if it has too many cells.
   bool make_lattice_triangles() {
-    remesh(kTrianglesForLattice, kRoundsForLattice);
     clock_.start("finding a lattice");
     LatticeOptions lattice;
     lattice.wanted_cells = kShareOfLattice * wanted_quads_ / (kSpacingForQuads * kSpacingForQuads);
@@ -111,6 +125,7 @@ class ElementMaker {
   const SurfaceToMesh& surface_;
   const SurfaceOptions& options_;
   SurfaceResult& result_;
+  std::vector<TightPlace>* lost_;
   StageClock& clock_;
   const Progress& progress_;
   double wanted_quads_ = 0;  // 0: as many as the sizes make
@@ -132,9 +147,9 @@ double join_edge(Elements elements, SurfaceQuads method) {
   return method == SurfaceQuads::kMatching ? 2 * edge : edge;
 }
 
-bool make_elements(const SurfaceToMesh& surface, const SurfaceOptions& options, SurfaceResult& result,
-                   StageClock& clock, const Progress& progress) {
-  return ElementMaker(surface, options, result, clock, progress).run();
+ElementsMade make_elements(const SurfaceToMesh& surface, const SurfaceOptions& options, SurfaceResult& result,
+                           std::vector<TightPlace>* lost, StageClock& clock, const Progress& progress) {
+  return ElementMaker(surface, options, result, lost, clock, progress).run();
 }
 
 }  // namespace quarry

@@ -1,6 +1,9 @@
 // The elements of the surface job: triangles of the wanted size, and quads of them.
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include "pipeline/surface/surface.hpp"
 #include "surface/feature/curve_network.hpp"
 #include "surface/model/surface_model.hpp"
@@ -23,11 +26,20 @@ struct SurfaceToMesh {
   double area;
 };
 
+enum class ElementsMade : std::uint8_t {
+  kAll,
+  // The mesh is of no use: features or walls keep a lattice from becoming as coarse as it is to be, so that
+  // its quads would be worse than others.
+  kTooManyCells,
+  // Nor is it here: remeshing has lost tips and pits of the surface. `lost` says where.
+  kSurfaceLost
+};
+
 // result: its mesh is that of the surface, with features bound, and becomes that of the elements; its size
-// and method say what they are to be, its reports are filled. False, with a mesh that is of no use, if
-// features or walls keep a lattice from becoming as coarse as it is to be: its quads would be worse than
-// others.
-[[nodiscard]] bool make_elements(const SurfaceToMesh& surface, const SurfaceOptions& options,
-                                 SurfaceResult& result, StageClock& clock, const Progress& progress);
+// and method say what they are to be, its reports are filled. lost: none if nobody asks for what remeshing
+// loses; else empty, and then the places, with half the edge there, if they are few.
+[[nodiscard]] ElementsMade make_elements(const SurfaceToMesh& surface, const SurfaceOptions& options,
+                                         SurfaceResult& result, std::vector<TightPlace>* lost,
+                                         StageClock& clock, const Progress& progress);
 
 }  // namespace quarry

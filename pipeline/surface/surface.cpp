@@ -156,7 +156,9 @@ class SurfaceJob {
     tight_.clear();
     strictness_ = 1;
     for (int attempt = 1;; ++attempt) {
-      if (!mesh(repaired)) return false;
+      ElementsMade made = mesh(repaired);
+      if (made == ElementsMade::kSurfaceLost) made = mesh(repaired);
+      if (made == ElementsMade::kTooManyCells) return false;
       if (invalid_.empty()) break;
       // Beside edges of rims that stay as long as they are, smaller elements are no help.
       if (attempt == kMostAttempts || invalid_.size() > kMostInvalid || kept_rim_ > 0)
@@ -180,9 +182,9 @@ class SurfaceJob {
     }
   }
 
-  // By the method of the result, with smaller elements at tight places; tells which ones are invalid. False
-  // if the method cannot be had.
-  bool mesh(RepairedSurface repaired) {
+  // By the method of the result, with smaller elements at tight places and where the first remeshing of all
+  // lost the surface; tells which ones are invalid.
+  ElementsMade mesh(RepairedSurface repaired) {
     const double edge = first_edge(options_.elements, result_.method) * result_.size;
     FeatureOptions features = options_.features;
     features.size = edge;
@@ -203,17 +205,21 @@ class SurfaceJob {
     const SurfaceModel model(elements, tags, kPointSpacing * result_.size);
     clock_.start("finding sizes");
     SizeDemands demands{.edge = edge, .size = result_.size, .area = area_, .tight = tight_};
+    demands.tight.insert(demands.tight.end(), lost_.begin(), lost_.end());
     demands.most_lenient /= strictness_;
     const SurfaceSizes sizes = find_surface_sizes(elements, options_, demands, progress_);
     limited_ = sizes.limited();
     limited_.smallest *= result_.size / edge;
-    if (!make_elements({model, network, sizes, area_}, options_, result_, clock_, progress_)) return false;
+    const bool first = !std::exchange(looked_for_lost_, true);
+    const ElementsMade made = make_elements({model, network, sizes, area_}, options_, result_,
+                                            first ? &lost_ : nullptr, clock_, progress_);
+    if (made != ElementsMade::kAll) return made;
     clock_.start("finishing");
     find_invalid(model, sizes);
-    if (!invalid_.empty()) return true;
+    if (!invalid_.empty()) return ElementsMade::kAll;
     set_surface_regions(elements, repaired.surface.groups, model);
     finish_surface_mesh(elements, network, result_.lines.lines.size());
-    return true;
+    return ElementsMade::kAll;
   }
 
   // What sheets share gets its edges, and lines theirs, which are returned. Nothing but halving would make
@@ -270,6 +276,8 @@ class SurfaceJob {
   // where they came out invalid.
   double strictness_ = 1;
   std::vector<TightPlace> tight_, invalid_;
+  std::vector<TightPlace> lost_;  // what the first remeshing of all lost, for all that follow
+  bool looked_for_lost_ = false;
   double kept_rim_ = 0;  // as for invalid_note
   SurfaceSizes::Limited limited_;
   SurfaceResult& result_;

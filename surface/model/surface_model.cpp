@@ -10,8 +10,6 @@
 namespace quarry {
 namespace {
 
-// The cosine of 80 degrees: a wall's other side turns by 180.
-constexpr double kSameSide = 0.17;
 // Points on edges for each square of their spacing, at most.
 constexpr double kMostPoints = 4;
 

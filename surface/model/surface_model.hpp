@@ -12,6 +12,10 @@
 
 namespace quarry {
 
+// Parts of two surfaces whose normals have a smaller cosine, that of 80 degrees, are not near each other,
+// however close they lie: a wall's other side turns by 180.
+inline constexpr double kSameSide = 0.17;
+
 class SurfaceModel : public SpaceModel {
  public:
   // triangles: as make_sheets and bind_features leave them; not kept. spacing: of its own points along edges,

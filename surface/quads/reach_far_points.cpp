@@ -1,24 +1,18 @@
 #include "surface/quads/reach_far_points.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstdint>
 #include <numeric>
-#include <span>
 #include <utility>
 #include <vector>
 
 #include "engine/parallel/parallel.hpp"
 #include "kernels/smooth/local_smoother.hpp"
-#include "surface/project/triangle_tree.hpp"
+#include "surface/model/far_points.hpp"
 #include "surface/quads/face_verdict.hpp"
 
 namespace quarry {
 namespace {
-
-// The cosine of the turn of the mesh from the surface up to which it counts as near it.
-constexpr double kSameSide = 0.17;
 
 class FarPoints {
  public:
@@ -66,36 +60,15 @@ class FarPoints {
     });
   }
 
-  // Quads are two triangles for this: how they are cut matters little. What was near a face that has not
-  // changed since is so still.
+  // What was near a face that has not changed since is so still.
   void find_far() {
-    std::vector<Vec3> points;
-    for (const VertexId v : mesh_.vertices()) points.push_back(mesh_.point3(v));
-    std::vector<std::array<std::uint32_t, 3>> triangles;
-    std::vector<FaceId> faces;
-    for (const FaceId f : mesh_.faces())
-      for (int k = 1; mesh_.alive(f) && k + 1 < mesh_.corner_count(f); ++k) {
-        triangles.push_back(
-            {mesh_.corner(f, 0).value(), mesh_.corner(f, k).value(), mesh_.corner(f, k + 1).value()});
-        faces.push_back(f);
-      }
-    const TriangleTree tree(points, triangles);
-    std::vector<Vec3> places, normals;
-    for (const std::uint32_t i : doubtful_) {
-      places.push_back(model_.free_points()[i].place);
-      normals.push_back(model_.free_points()[i].up);
-    }
-    ClosestQuery query;
-    query.least_cosine = kSameSide;
-    const std::vector<SurfacePoint> found = tree.closest_all(places, query, normals);
+    const std::vector<NearestFace> found = find_nearest_faces(mesh_, model_, doubtful_);
     far_.clear();
     for (std::size_t k = 0; k < found.size(); ++k) {
-      const std::uint32_t i = doubtful_[k];
-      nearest_[i] = FaceId();
-      if (!found[k].triangle.valid()) continue;
-      const FaceId f = nearest_[i] = faces[found[k].triangle.value()];
-      const double distance = std::sqrt(found[k].squared_distance);
-      if (distance > options_.far * edge_of(f)) far_.push_back({distance, i, f});
+      const auto [f, distance] = found[k];
+      nearest_[doubtful_[k]] = f;
+      if (f.valid() && distance > options_.far * edge_of_square(mesh_, f))
+        far_.push_back({distance, doubtful_[k], f});
     }
     std::stable_sort(far_.begin(), far_.end(),
                      [](const Far& a, const Far& b) { return a.distance > b.distance; });
@@ -111,12 +84,6 @@ class FarPoints {
     doubtful_ = parallel::filter_indices(doubtful.size(), [&](std::size_t i) {
       return doubtful[i] != 0 || !nearest_[i].valid() || changed[nearest_[i].value()] != 0;
     });
-  }
-
-  [[nodiscard]] double edge_of(FaceId f) const {
-    const auto corner = [&](int k) { return mesh_.point3(mesh_.corner(f, k)); };
-    const int last = mesh_.corner_count(f) - 1;
-    return std::sqrt(0.5 * length(cross(corner(2) - corner(0), corner(last) - corner(1))));
   }
 
   // The free corner of the face that goes to the far point, the nearest of them that can; none if none can.

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
+#include "engine/geometry/vec.hpp"
 #include "engine/operation/pass.hpp"
 
 namespace quarry {
@@ -25,9 +27,15 @@ struct RemeshOptions {
   double feature_deviation = 0.1;
   // Moves may not lower the measure of a star's worst triangle where it is below this.
   double content = 0.6;
+  // If positive: points of the surface farther from the mesh, after the first round, than this share of the
+  // edge of a square as large as the triangle there have been lost: tips and pits. If they lie in few places,
+  // that is the end.
+  double lost_from = 0;
 };
 
 struct RemeshReport {
+  // Of RemeshOptions::lost_from: where the first round has lost the surface, if in few places.
+  std::vector<Vec3> lost;
   // All rounds together.
   PassReport splits{.name = "splits"}, collapses{.name = "collapses"}, flips{.name = "flips"};
   std::uint64_t moves = 0;

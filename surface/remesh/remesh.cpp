@@ -5,6 +5,7 @@
 
 #include "engine/mesh/compact.hpp"
 #include "engine/parallel/parallel.hpp"
+#include "surface/model/far_points.hpp"
 #include "surface/remesh/collapse_short.hpp"
 #include "surface/remesh/flip_better.hpp"
 #include "surface/remesh/relocate.hpp"
@@ -23,6 +24,9 @@ constexpr int kMovesEachRound = 2;
 // How far the number of triangles may be from what the wanted edge asks for.
 constexpr double kCountTolerance = 0.02;
 constexpr int kMovesAtTheEnd = 5;
+// In more places than so many it is no matter of single tips, but of a size that is too coarse for the
+// surface.
+constexpr std::size_t kMostLost = 24;
 constexpr const char* kWantedTag = "wanted_edge";
 
 void set_normals(RemeshState& state) {
@@ -97,6 +101,11 @@ RemeshReport remesh_surface(Mesh& mesh, const SurfaceModel& model, const CurveNe
     report.flips.add(flip_edges(state, FlipAim::kValence, progress));
     report.moves += relocate_vertices(state, kMovesEachRound, progress).moved;
     ++report.rounds;
+    if (round == 0 && options.lost_from > 0) {
+      report.lost = find_lost_places(mesh, model, options.lost_from, sizes.edge());
+      if (report.lost.size() > kMostLost) report.lost.clear();
+      if (!report.lost.empty()) break;
+    }
     const double faces = static_cast<double>(mesh.count_alive_faces());
     const double wanted_faces = options.wanted_faces > 0 ? options.wanted_faces : room(state);
     if (changes == 0 && std::abs(faces - wanted_faces) < kCountTolerance * wanted_faces) break;

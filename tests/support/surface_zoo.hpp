@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <map>
 #include <numbers>
+#include <span>
 #include <utility>
 
 #include "surface/repair/triangle_surface.hpp"
@@ -82,6 +83,19 @@ TriangleSurface terrain(std::uint32_t columns, std::uint32_t rows, const Height&
     }
   s.groups.assign(s.triangles.size(), 0);
   return s;
+}
+
+// A terrain of 120 x 120 cells with a smooth narrow hill at each of the places (their z: its height); width:
+// where it has fallen to 0.6 of that.
+inline TriangleSurface narrow_hills(std::span<const Vec3> tops, double width) {
+  return terrain(120, 120, [&](double x, double y) {
+    double z = 0;
+    for (const Vec3 top : tops) {
+      const double dx = x - top.x, dy = y - top.y;
+      z += top.z * std::exp(-(dx * dx + dy * dy) / (2 * width * width));
+    }
+    return z;
+  });
 }
 
 // A band of one side: `cells` pairs of triangles around, with half a turn.

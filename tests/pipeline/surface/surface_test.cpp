@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <fstream>
+#include <numeric>
 #include <set>
 #include <string>
 #include <tuple>
@@ -16,6 +18,7 @@
 #include "io/mesh/mesh_format.hpp"
 #include "kernels/quality/summary.hpp"
 #include "pipeline/surface/surface_report.hpp"
+#include "surface/model/far_points.hpp"
 #include "tests/pipeline/surface/surface_job.hpp"
 #include "tests/support/surface_zoo.hpp"
 
@@ -255,6 +258,20 @@ TEST_F(SurfaceJob, KeepsTheApexOfAConeAndGoodQuadsAroundIt) {
     for (const VertexId v : result.mesh.vertices()) height = std::max(height, result.mesh.point3(v).z);
     EXPECT_EQ(height, cone.height);
   }
+}
+
+// Single vertices used to be brought to such tops, with edges as long as the hills are high.
+TEST_F(SurfaceJob, HasElementsAsSmallAsNarrowHillsThatItWouldCutOff) {
+  const std::array tops = {Vec3{0.3, 0.3, 0.3}, Vec3{0.7, 0.4, 0.3}, Vec3{0.45, 0.75, 0.3}};
+  SurfaceOptions options = options_for(file_of(test::narrow_hills(tops, 0.04)), 0);
+  options.count.reset();
+  options.size = 0.05;
+  const SurfaceResult result = mesh_surface(options, Progress());
+  const SurfaceModel model = test::modelled(result.repaired).model;
+  std::vector<std::uint32_t> points(model.free_points().size());
+  std::iota(points.begin(), points.end(), 0U);
+  for (const NearestFace& near : find_nearest_faces(result.mesh, model, points))
+    EXPECT_LT(near.distance, 0.3 * *options.size);
 }
 
 TEST_F(SurfaceJob, TellsInTheReportWhatWasRepaired) {

@@ -121,6 +121,29 @@ TEST(RemeshSurface, MakesASphereCoarserAndFinerAsAsked) {
   }
 }
 
+TEST(RemeshSurface, TellsAfterOneRoundWhereTipsWereLostIfAsked) {
+  const std::array tops = {Vec3{0.3, 0.3, 0.3}};
+  const RepairedSurface repaired = repair_surface(test::narrow_hills(tops, 0.06), {});
+  const CurveNetwork network =
+      make_curve_network(repaired.surface, find_feature_edges(repaired, {}).edges, {});
+  for (const double edge : {0.2, 0.02}) {
+    SCOPED_TRACE(edge);
+    Mesh mesh = make_sheets(repaired);
+    const SurfaceModel model(mesh, bind_features(mesh, network));
+    const RemeshReport report =
+        remesh_surface(mesh, model, network, SurfaceSizes(edge), {.lost_from = 0.6}, Progress());
+    EXPECT_EQ(validate(mesh, GeometryCheck::kNone), "");
+    if (edge < 0.1) {
+      EXPECT_TRUE(report.lost.empty());
+      EXPECT_GT(report.rounds, 1U);
+    } else {
+      ASSERT_EQ(report.lost.size(), 1U);
+      EXPECT_LT(length(report.lost[0] - tops[0]), edge);
+      EXPECT_EQ(report.rounds, 1U);
+    }
+  }
+}
+
 TEST(RemeshSurface, KeepsTheEdgesAndCornersOfACube) {
   const Remeshed result = remeshed(test::cube(2, {10, 20, 30}), 0.25);
   EXPECT_EQ(validate(result.mesh, GeometryCheck::kNone), "");
