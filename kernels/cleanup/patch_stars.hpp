@@ -14,8 +14,8 @@ namespace quarry {
 
 class PatchStars {
  public:
-  // The mesh has the vertex tag "ideal_faces" and ConstraintTags, and is cut open along constraints. price
-  // may be empty: all places cost 1.
+  // The mesh has the vertex tag "ideal_faces" and ConstraintTags, and is cut open along constraints, or sewn
+  // again along its pieces. price may be empty: all places cost 1.
   PatchStars(const Mesh& mesh, IrregularPrice price);
 
   // Makes room for vertices to come.

@@ -201,8 +201,8 @@ TEST(CutOpenAlong, ALineFromOutlineToOutlineMakesTwoParts) {
 TEST(SewPieces, JoinsTheEdgesBetweenSlidingVerticesAlone) {
   Constrained made = lattice_of_six();
   made.constrain({22, 23, 24, 25, 26});
-  for (const std::uint32_t v : {22, 26}) made.tags.support[VertexId(v)] = Support::fixed();
-  for (const std::uint32_t v : {23, 24, 25}) made.tags.support[VertexId(v)] = Support::on(PieceId(0U));
+  for (const std::uint32_t v : {22U, 26U}) made.tags.support[VertexId(v)] = Support::fixed();
+  for (const std::uint32_t v : {23U, 24U, 25U}) made.tags.support[VertexId(v)] = Support::on(PieceId(0U));
   cut_open(made.mesh, made.tags);
   sew_pieces(made.mesh, made.tags);
   EXPECT_EQ(validate(made.mesh, GeometryCheck::kNone), "");
@@ -215,8 +215,8 @@ TEST(SewPieces, JoinsTheEdgesBetweenSlidingVerticesAlone) {
   EXPECT_TRUE(joined(23, 24));
   EXPECT_TRUE(joined(24, 25));
   EXPECT_FALSE(joined(25, 26));
-  EXPECT_TRUE(made.mesh.on_boundary(VertexId(23)));
-  EXPECT_FALSE(made.mesh.on_boundary(VertexId(24)));
+  EXPECT_TRUE(made.mesh.on_boundary(VertexId(23U)));
+  EXPECT_FALSE(made.mesh.on_boundary(VertexId(24U)));
   sew(made.mesh, made.tags);
   EXPECT_EQ(neighbours_of(made.mesh), neighbours_of(lattice_of_six().mesh));
   EXPECT_EQ(corners_of(made.mesh), corners_of(lattice_of_six().mesh));
