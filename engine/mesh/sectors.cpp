@@ -1,6 +1,7 @@
 #include "engine/mesh/sectors.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cassert>
 #include <span>
 #include <utility>
@@ -82,11 +83,13 @@ void place_copies(Mesh& mesh, const ConstraintTags& tags, const Sectors& sectors
   });
 }
 
-// Joins boundary sides over the same two whole vertices.
-void join_cut_sides(Mesh& mesh, const ConstraintTags& tags, const Tag<VertexId, VertexId>& whole) {
+// Joins boundary sides over the same two whole vertices, of those for which wanted(SideId) holds.
+template <class Wanted>
+void join_cut_sides(Mesh& mesh, const ConstraintTags& tags, const Tag<VertexId, VertexId>& whole,
+                    const Wanted& wanted) {
   auto sides = parallel::filter_indices(4 * mesh.face_slots(), [&](std::size_t i) {
     const SideId s(static_cast<std::uint32_t>(i));
-    return is_side(mesh, s) && tags.constrained(s) && !mesh.neighbour(s).valid();
+    return is_side(mesh, s) && tags.constrained(s) && !mesh.neighbour(s).valid() && wanted(s);
   });
   std::vector<std::uint64_t> keys(sides.size());
   parallel::for_each(keys.size(), [&](std::size_t i) {
@@ -134,10 +137,33 @@ void cut_open(Mesh& mesh, ConstraintTags tags) {
   });
 }
 
+void sew_pieces(Mesh& mesh, ConstraintTags tags) {
+  auto whole = mesh.find_tag<VertexId, VertexId>(kWholeTag);
+  assert(whole.valid());
+  const auto slides = [&](VertexId v) { return std::as_const(tags.support)[v].slides(); };
+  join_cut_sides(mesh, tags, whole,
+                 [&](SideId s) { return slides(mesh.origin(s)) && slides(mesh.target(s)); });
+  std::vector<std::uint8_t> joined(mesh.vertex_slots(), 0);
+  for_each_side(mesh, [&](SideId s) {
+    if (!tags.constrained(s) || !mesh.neighbour(s).valid()) return;
+    for (const VertexId v : {mesh.origin(s), mesh.target(s)})
+      std::atomic_ref(joined[whole_of(whole, v).value()]).store(1, std::memory_order_relaxed);
+  });
+  for_each_side(mesh, [&](SideId s) {
+    const VertexId v = whole_of(whole, mesh.origin(s));
+    if (joined[v.value()] != 0) mesh.set_corner(s, v);
+  });
+  parallel::for_each(mesh.vertex_slots(), [&](std::size_t i) {
+    const VertexId v(i);
+    if (joined[whole_of(whole, v).value()] != 0) whole[v] = VertexId();
+  });
+  rebuild_sides_of_vertices(mesh);
+}
+
 void sew(Mesh& mesh, ConstraintTags tags) {
   const auto whole = mesh.find_tag<VertexId, VertexId>(kWholeTag);
   assert(whole.valid());
-  join_cut_sides(mesh, tags, whole);
+  join_cut_sides(mesh, tags, whole, [](SideId) { return true; });
   parallel::for_each(4 * mesh.face_slots(), [&](std::size_t i) {
     const SideId s(static_cast<std::uint32_t>(i));
     if (!mesh.alive(s.face()) || !mesh.origin(s).valid()) return;

@@ -23,6 +23,11 @@ inline constexpr const char* kWholeTag = "whole";
 // mesh must not be cut open already.
 void cut_open(Mesh& mesh, ConstraintTags tags);
 
+// Joins again what lies along the inside of pieces: the edges both of whose ends slide. The vertices of these
+// edges are in one piece then; an edge that ends at a node stays open, and what is next to it is the tip of a
+// slit. sew() works afterwards, too.
+void sew_pieces(Mesh& mesh, ConstraintTags tags);
+
 // The inverse, after any operation that has kept the boundary sides with their end points: joins the sides
 // that were one edge, puts the first copies in the place of all, and removes the tag. Copies become
 // tombstones. A vertex has the point of its first copy.

@@ -35,8 +35,9 @@ class CleanUp {
   }
 
  private:
-  void open() {
+  void open(bool over_lines = false) {
     cut_open(mesh_, ConstraintTags::of(mesh_));
+    if (over_lines) sew_pieces(mesh_, ConstraintTags::of(mesh_));
     set_ideal_faces(mesh_, PlaneModel());
   }
 
@@ -76,15 +77,34 @@ class CleanUp {
       progress_.report("clean-up", static_cast<double>(i + 1) / static_cast<double>(classes.size() + 1));
       patches.largest = classes[i];
       if (!fewest && patches.largest > options_.thorough) patches.directions = 0;
-      add_time(report_.patch_seconds, [&] {
-        open();
-        report_.patches.push_back(remesh_patches(mesh_, PlaneModel(), patches, memory, progress_));
-        close();
-      });
-      add_time(report_.smoothing_seconds, [&] { smooth_between(); });
+      remesh_class(patches, memory);
       if (!fewest && hopeless(report_.patches.back())) break;
     }
+    remesh_over_lines(patches);
     mesh_.remove_tag<FaceId>(kSignatureTag);
+  }
+
+  // What failed inside a cell may do over a line: these classes have a memory of their own.
+  void remesh_over_lines(PatchOptions patches) {
+    if (options_.over_lines == 0) return;
+    const bool fewest = options_.level == CleanUpLevel::kFewest;
+    PatchMemory memory;
+    patches.over_lines = true;
+    patches.directions = options_.patches.directions;
+    for (const std::size_t size : patch_classes(options_.patches.largest, false, 0)) {
+      if (size < options_.over_lines || (size > options_.over_lines && !fewest)) continue;
+      patches.largest = size;
+      remesh_class(patches, memory);
+    }
+  }
+
+  void remesh_class(const PatchOptions& patches, PatchMemory& memory) {
+    add_time(report_.patch_seconds, [&] {
+      open(patches.over_lines);
+      report_.patches.push_back(remesh_patches(mesh_, PlaneModel(), patches, memory, progress_));
+      close();
+    });
+    add_time(report_.smoothing_seconds, [&] { smooth_between(); });
   }
 
   // Whether larger patches are not worth their time; of few seeds nothing can be said.

@@ -1,7 +1,7 @@
 // Topological clean-up of a planar quad mesh with constraints: local operators, then one-defect patches from
-// small to large, with sweeps of smoothing over the whole mesh in between, which keep large patches
-// acceptable, and the local operators again: vertices of six edges on the rims of patches are split. The
-// steps have headers of their own; this is their order and their defaults.
+// small to large, inside the cells and then over lines, with sweeps of smoothing over the whole mesh in
+// between, which keep large patches acceptable, and the local operators again: vertices of six edges on the
+// rims of patches are split. The steps have headers of their own; this is their order and their defaults.
 //   C. Verma, T. Tautges: Jaal: engineering a high quality all-quadrilateral mesh generator. IMR 20, 2011.
 //   G. Bunin: Non-local topological clean-up. IMR 15, 2006.
 #pragma once
@@ -48,6 +48,9 @@ struct CleanUpOptions {
   // patch: 0.09 to 0.2 on maps. In fans and combs of lines that nearly touch it is 0.04 and less, the next is
   // 0.01, and takes as long as all else.
   double least_yield = 0.05;
+  // Then patches of so many faces that lines cross, whose numbers of edges they may change; kFewest tries
+  // larger ones, too. 0: none.
+  std::size_t over_lines = 128;
   // Sweeps over the whole mesh at the start and after each size class. Only what is far from good is moved:
   // more sweeps, or moving all, leave as many irregular vertices.
   ShapeOptions between{.sweeps = 1, .content = 0.6, .content_areas = 2, .tolerance = 0.02};
@@ -61,17 +64,17 @@ struct CleanUpOptions {
 
 struct CleanUpReport {
   LocalCleanupReport local;
-  std::vector<PatchReport> patches;  // one a size class
+  std::vector<PatchReport> patches;  // one a size class, at last those over lines
   LocalCleanupReport local_at_end;   // after the patches
   SweepReport between;               // all classes together
   SweepReport shape, square_corners, optimise;
   double local_seconds = 0, patch_seconds = 0, smoothing_seconds = 0;
 };
 
-// Constrained sides stay constrained, chains of sides keep their number of edges, vertices on pieces slide,
-// fixed vertices keep their bits. Faces are valid afterwards (exact) where they were before; triangles stay
-// as they are. No tombstones are left; vertices and faces are renumbered along a Hilbert curve. The same on
-// any number of threads.
+// Every piece remains a chain of constrained sides between its nodes, along which vertices slide and whose
+// number of edges may change; fixed vertices keep their bits. Faces are valid afterwards (exact) where they
+// were before; triangles stay as they are. No tombstones are left; vertices and faces are renumbered along a
+// Hilbert curve. The same on any number of threads.
 void clean_up(Mesh& mesh, const NodedLines& lines, const CleanUpOptions& options, CleanUpReport& report,
               const Progress& progress);
 

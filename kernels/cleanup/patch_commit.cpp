@@ -32,12 +32,16 @@ struct PatchCommit<Model>::Worker {
   LocalSmoother<Model> smoother;
   PatchLayout layout;
   LayoutNeighbours neighbours;
+  std::vector<bool> on_line;            // by local number: inside on a line
   std::vector<Point> points;            // by local number
   std::vector<VertexId> vertices;       // by local number
   std::vector<FaceCorners> fresh, old;  // corners
   std::vector<Point> old_places;        // of the inner vertices, then of the rim
   std::vector<VertexId> movable;
   std::vector<FaceId> slots;
+  std::vector<Support> old_supports;    // of the inner vertices, if there are lines
+  std::vector<std::uint8_t> old_sides;  // constraint bits of the faces, if there are lines
+  StampedMap<char> line_sides;          // by local numbers
 };
 
 template <GeometryModel Model>
@@ -82,6 +86,8 @@ void PatchCommit<Model>::apply(MeshEditor& editor, Item item, const Plan& /*plan
   place(editor, proposal, ids, *worker);
   const std::span<const FaceId> made =
       worker->replacer.replace(editor, tags_, proposal.faces, worker->fresh, ids);
+  if (!proposal.lines.empty())
+    tag_traces(editor, tags_, worker->layout, proposal.lines, made, worker->line_sides);
   const double wanted = std::min(options_->least_jacobian, before);
   const double after = smallest_after(editor, made, wanted, ratio, *worker);
   const bool good = after > 0 && after >= wanted && largest_edge_ratio(editor.mesh(), made) <= ratio &&
@@ -114,6 +120,11 @@ void PatchCommit<Model>::save(const MeshEditor& editor, const PatchProposal& pro
   worker.old_places.clear();
   for (const auto* vertices : {&proposal.inner, &proposal.rim})
     for (const VertexId v : *vertices) worker.old_places.push_back(place_of<Point>(editor, v));
+  if (proposal.lines.empty()) return;
+  worker.old_sides.clear();
+  for (const FaceId f : proposal.faces) worker.old_sides.push_back(tags_.sides[f]);
+  worker.old_supports.clear();
+  for (const VertexId v : proposal.inner) worker.old_supports.push_back(editor.get(tags_.support, v));
 }
 
 template <GeometryModel Model>
@@ -122,6 +133,11 @@ void PatchCommit<Model>::restore(MeshEditor& editor, const PatchProposal& propos
   std::size_t i = 0;
   for (const auto* vertices : {&proposal.inner, &proposal.rim})
     for (const VertexId v : *vertices) set_place(editor, v, worker.old_places[i++]);
+  if (proposal.lines.empty()) return;
+  for (std::size_t k = 0; k < proposal.faces.size(); ++k)
+    editor.set(tags_.sides, proposal.faces[k], worker.old_sides[k]);
+  for (std::size_t k = 0; k < proposal.inner.size(); ++k)
+    editor.set(tags_.support, proposal.inner[k], worker.old_supports[k]);
 }
 
 // Names and places the vertices of the fill, and writes down its faces.
@@ -130,26 +146,51 @@ void PatchCommit<Model>::place(MeshEditor& editor, const PatchProposal& proposal
                                Worker& worker) const {
   worker.layout.build(proposal.fill, static_cast<std::uint32_t>(proposal.rim.size()), proposal.cuts,
                       proposal.sides.corner_places());
-  worker.points.clear();
-  for (const VertexId v : proposal.rim) worker.points.push_back(place_of<Point>(editor, v));
-  place_layout(worker.layout, worker.points);
-  if (worker.layout.quads().size() > options_->harmonic_from)
-    relax_layout(worker.layout, worker.points, worker.neighbours);
+  place_points(editor, proposal, worker);
   worker.vertices = proposal.rim;
   worker.movable.clear();
   for (std::uint32_t i = worker.layout.rim(); i < worker.layout.vertices(); ++i) {
     const std::size_t place = i - worker.layout.rim();
     const VertexId v = place < proposal.inner.size() ? proposal.inner[place] : ids.take_vertex();
     worker.vertices.push_back(v);
-    worker.movable.push_back(v);
+    if (!worker.on_line[i]) worker.movable.push_back(v);
     set_place(editor, v, model_->project(worker.points[i]));
   }
+  if (!proposal.lines.empty()) bind_vertices(editor, proposal, worker);
   for (const VertexId v : proposal.rim)
     if (stars_->movable(v)) worker.movable.push_back(v);
   worker.fresh.clear();
   for (const PatchLayout::Quad& quad : worker.layout.quads())
     worker.fresh.push_back({worker.vertices[quad[0]], worker.vertices[quad[1]], worker.vertices[quad[2]],
                             worker.vertices[quad[3]]});
+}
+
+// Lines are straight between the ends of their traces, with vertices evenly on them that stay there: the
+// sweeps over the mesh slide them.
+template <GeometryModel Model>
+void PatchCommit<Model>::place_points(const MeshEditor& editor, const PatchProposal& proposal,
+                                      Worker& worker) const {
+  worker.points.clear();
+  for (const VertexId v : proposal.rim) worker.points.push_back(place_of<Point>(editor, v));
+  place_layout(worker.layout, worker.points);
+  worker.on_line.assign(worker.layout.vertices(), false);
+  for (const PatchLine& line : proposal.lines) {
+    detail::place_line(line.trace, worker.points);
+    for (const std::uint32_t v : line.trace) worker.on_line[v] = v >= worker.layout.rim();
+  }
+  if (worker.layout.quads().size() > options_->harmonic_from)
+    relax_layout(worker.layout, worker.on_line, worker.points, worker.neighbours);
+}
+
+// The numbers of vertices that were on lines may be those of free ones now.
+template <GeometryModel Model>
+void PatchCommit<Model>::bind_vertices(MeshEditor& editor, const PatchProposal& proposal,
+                                       const Worker& worker) const {
+  for (std::size_t i = worker.layout.rim(); i < worker.vertices.size(); ++i)
+    editor.set(tags_.support, worker.vertices[i], Support::free());
+  for (const PatchLine& line : proposal.lines)
+    for (const std::uint32_t v : line.trace)
+      if (worker.on_line[v]) editor.set(tags_.support, worker.vertices[v], line.support);
 }
 
 template <GeometryModel Model>
@@ -172,7 +213,9 @@ double PatchCommit<Model>::smallest_after(MeshEditor& editor, std::span<const Fa
                                           double ratio, Worker& worker) const {
   double smallest = 1;
   // The smoother does not look at faces that it cannot change.
-  const auto moves = [&](VertexId v) { return !editor.mesh().on_boundary(v) && !stars_->pinned(v); };
+  const auto moves = [&](VertexId v) {
+    return !editor.mesh().on_boundary(v) && editor.get(tags_.support, v).is_free();
+  };
   for (const FaceId f : made) {
     bool frozen = true;
     for (int k = 0; k < 4; ++k) frozen = frozen && !moves(editor.corner(f, k));
@@ -235,7 +278,7 @@ double PatchCommit<Model>::longest_allowed(const Mesh& mesh, std::span<const Fac
 template <GeometryModel Model>
 double PatchCommit<Model>::energy_of(const Mesh& mesh, std::span<const VertexId> vertices) const {
   double energy = 0;
-  for (const VertexId v : vertices) energy += stars_->energy(mesh, v, stars_->faces(v));
+  for (const VertexId v : vertices) energy += stars_->energy(mesh, v);
   return energy;
 }
 

@@ -69,9 +69,26 @@ bool PatchGrowth::add_across(VertexId a, VertexId b) {
 bool PatchGrowth::settle(VertexId v) {
   const Counts counts = counts_.get(v);
   if (counts.rim_edges == 0) return !stars_->pinned(v);
-  if (outside(v) == 0) return true;
-  if (counts.rim_edges > 2 || outer_angle(v) < 0) return add_star(v);
-  return true;
+  if (outside(v) != 0 && (counts.rim_edges > 2 || outer_angle(v) < 0)) return add_star(v);
+  return !stars_->on_line(v) || settle_line(v);
+}
+
+// A line enters a patch with one face outside on either side of it, or not at all.
+bool PatchGrowth::settle_line(VertexId v) {
+  bool enters = false, leaves = false;
+  SideId first, last;
+  for_each_side_around(*mesh_, v, [&](SideId s) {
+    if (!first.valid()) first = s;
+    last = s;
+    if (!stars_->is_line(*mesh_, s)) return;
+    const bool left = contains(s.face()), right = contains(mesh_->neighbour(s).face());
+    enters = enters || (left && right);
+    leaves = leaves || (!left && !right);
+  });
+  if (!enters) return true;
+  // Where it is cut open from v on, it cannot be swallowed.
+  if (stars_->on_boundary(v)) return outside(v) == 2 && !contains(first.face()) && !contains(last.face());
+  return (leaves && outside(v) == 2) || add_star(v);
 }
 
 bool PatchGrowth::make_convex() {

@@ -9,6 +9,8 @@
 //   disk                          vertices - edges + faces = 1 without a pinch
 // A boundary vertex that wants three faces or more (a reflex corner, the tip of a dead-end line) is concave
 // with nothing left to take in: it counts as a side. Triangles and pinned vertices stop the growth.
+// Where lines are not cut open, the patch takes in faces until each line enters it between the last two faces
+// outside.
 #pragma once
 
 #include <cstdint>
@@ -70,6 +72,7 @@ class PatchGrowth {
   bool add_face(FaceId f);
   void meet(VertexId v);
   bool settle(VertexId v);
+  bool settle_line(VertexId v);
 
   const Mesh* mesh_ = nullptr;
   const PatchStars* stars_ = nullptr;

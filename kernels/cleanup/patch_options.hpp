@@ -38,6 +38,8 @@ struct PatchOptions {
   std::size_t harmonic_from = 0;
   // Of the fills that are folded after six sweeps of untangling one in two hundred would ever be kept.
   LocalShapeOptions smoothing{.untangling_sweeps = 6, .sweeps = 4};
+  // The mesh is sewn along its pieces (sew_pieces): only patches that a line crosses are looked for.
+  bool over_lines = false;
   IrregularPrice price;  // empty: all places cost the same
   bool reverse = false;  // commit winners last to first: a test that they are independent
 };

@@ -91,9 +91,10 @@ struct LayoutNeighbours {
 // to, with the rim where it is, as in an embedding of Tutte (1963). Straight spokes fold the grids of patches
 // that are not convex; this folds little, and lets smoothing begin near its end. By successive
 // over-relaxation, a few sweeps for each row that a change has to cross. points: of all vertices of the
-// layout; neighbours: scratch.
+// layout; held: by vertex, those that stay; neighbours: scratch.
 template <class Point>
-void relax_layout(const PatchLayout& layout, std::vector<Point>& points, LayoutNeighbours& neighbours) {
+void relax_layout(const PatchLayout& layout, const std::vector<bool>& held, std::vector<Point>& points,
+                  LayoutNeighbours& neighbours) {
   constexpr double kSweepsPerRow = 3;
   neighbours.build(layout);
   const std::vector<std::uint32_t>& begin = neighbours.begin;
@@ -103,6 +104,7 @@ void relax_layout(const PatchLayout& layout, std::vector<Point>& points, LayoutN
   const int sweeps = static_cast<int>(kSweepsPerRow * rows);
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     for (std::uint32_t v = layout.rim(); v < layout.vertices(); ++v) {
+      if (held[v]) continue;
       Point sum{};
       for (std::uint32_t i = begin[v]; i < begin[v + 1]; ++i) sum = sum + points[joined[i]];
       points[v] =

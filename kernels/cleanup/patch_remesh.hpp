@@ -15,9 +15,10 @@ namespace quarry {
 
 // Searches around all irregular vertices, a part of them at a time, then around those that commits have
 // changed, until nothing is found. Each commit lowers the valence energy; boundary vertices and sides stay as
-// they are, pinned vertices too. The mesh: cut open along constraints, with ConstraintTags and the vertex tag
-// "ideal_faces". Triangles are left alone: no patch contains one. Tombstones stay. The result does not depend
-// on the number of threads.
+// they are, pinned vertices too. The mesh: cut open along constraints, or sewn again along its pieces, with
+// ConstraintTags and the vertex tag "ideal_faces". Lines that are not cut open stay where they are, sides
+// stay tagged, and their vertices too; their number may change. Triangles are left alone: no patch contains
+// one. Tombstones stay. The result does not depend on the number of threads.
 //
 // memory: new, or that of the size classes before; the mesh keeps the tag kSignatureTag, which belongs to it.
 template <GeometryModel Model>

@@ -20,13 +20,15 @@ enum class PatchReject : std::uint8_t {
   kNoSolution6,
   kFaceBand,    // too many faces, or too few
   kNoGain,      // the valence energy would not fall
+  kLines,       // a line inside does not pass; over lines also: there is none
   kDoubleEdge,  // two rim vertices would be joined twice
   kQuality,     // judged after smoothing
 };
-inline constexpr std::size_t kPatchRejects = 11;
+inline constexpr std::size_t kPatchRejects = 12;
 
 struct PatchReport {
   std::uint64_t largest = 0;                         // faces a patch might have
+  bool over_lines = false;                           // patches that lines cross
   std::uint64_t seeds = 0;                           // irregular vertices at the start
   std::uint64_t searches = 0;                        // of patches around a seed
   std::uint64_t stages = 0;                          // convex stages that were looked at

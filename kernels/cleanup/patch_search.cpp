@@ -219,6 +219,7 @@ PatchProposal PatchSearch::propose(const Candidate& candidate) {
   proposal.fill = candidate.fill;
   proposal.gain = candidate.gain;
   proposal.fresh_faces = static_cast<std::uint32_t>(count_fresh(candidate));
+  if (options_->over_lines) proposal.lines = lines_.lines();
   proposal.key = signature_;
   collect_ring(proposal);
   return proposal;

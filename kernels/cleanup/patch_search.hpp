@@ -18,6 +18,7 @@
 #include "kernels/cleanup/patch_fill.hpp"
 #include "kernels/cleanup/patch_growth.hpp"
 #include "kernels/cleanup/patch_layout.hpp"
+#include "kernels/cleanup/patch_lines.hpp"
 #include "kernels/cleanup/patch_memory.hpp"
 #include "kernels/cleanup/patch_options.hpp"
 #include "kernels/cleanup/patch_partners.hpp"
@@ -39,6 +40,7 @@ struct PatchProposal {
   std::vector<PatchCut> cuts;
   PatchSides sides;  // of what the cuts leave
   PatchFill fill;
+  std::vector<PatchLine> lines;  // through the fill
   std::uint32_t fresh_faces = 0;
   double gain = 0;        // by so much the valence energy falls
   std::uint64_t key = 0;  // of its vertices: equal patches have equal keys, whoever found them
@@ -48,7 +50,7 @@ class PatchSearch {
  public:
   PatchSearch(const Mesh& mesh, const PatchStars& stars, const PatchMemory& memory,
               const PatchOptions& options)
-      : mesh_(&mesh), stars_(&stars), memory_(&memory), options_(&options) {}
+      : mesh_(&mesh), stars_(&stars), memory_(&memory), options_(&options), tags_(ConstraintTags::of(mesh)) {}
 
   // Forgets what was learned since the last call: searches of one chunk learn from one another.
   void begin_chunk();
@@ -119,6 +121,7 @@ class PatchSearch {
   // Cuts grids off at reflex vertices, in all ways, and fills what is left.
   [[nodiscard]] bool try_cuts(Candidate& candidate, PatchReport& report);
   [[nodiscard]] bool accept(Candidate& candidate, PatchReport& report);
+  [[nodiscard]] bool lines_pass(const Candidate& candidate);
   void set_ring_of_rim();
   void build_layout(const Candidate& candidate) {
     layout_.build(candidate.fill, static_cast<std::uint32_t>(rim_.size()), candidate.cuts,
@@ -140,9 +143,11 @@ class PatchSearch {
   const PatchStars* stars_;
   const PatchMemory* memory_;
   const PatchOptions* options_;
+  ConstraintTags tags_;
   PatchGrowth growth_;
   PatchPartners partners_;
   PatchLayout layout_;
+  PatchLines lines_;
   StampedMap<char> seen_;
   KeySet stages_here_, courses_here_;  // failed in this chunk: what learned_ holds
   KeySet found_here_;                  // courses that led to a patch

@@ -50,6 +50,10 @@ PatchSearch::CornerCounts PatchSearch::count_corners() {
 }
 
 bool PatchSearch::try_fills(Candidate& found, PatchReport& report) {
+  if (options_->over_lines && !lines_.find(*mesh_, tags_, *stars_, growth_, rim_)) {
+    report.reject(PatchReject::kLines);
+    return false;
+  }
   set_ring_of_rim();
   found.cuts.clear();
   if (corners_.cuts_may_help()) {
@@ -86,8 +90,15 @@ bool PatchSearch::accept(Candidate& candidate, PatchReport& report) {
   candidate.gain = growth_.energy() - energy_of(candidate);
   if (!(candidate.gain > 0)) return reject(PatchReject::kNoGain);
   if (joins_twice(candidate)) return reject(PatchReject::kDoubleEdge);
+  if (!lines_pass(candidate)) return reject(PatchReject::kLines);
   met_refused_ = memory_->is_refused(signature_);
   return !met_refused_;
+}
+
+bool PatchSearch::lines_pass(const Candidate& candidate) {
+  if (!options_->over_lines) return true;
+  build_layout(candidate);
+  return lines_.trace(layout_);
 }
 
 void PatchSearch::set_ring_of_rim() {

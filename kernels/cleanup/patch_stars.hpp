@@ -14,8 +14,8 @@ namespace quarry {
 
 class PatchStars {
  public:
-  // The mesh has the vertex tag "ideal_faces" and ConstraintTags, and is cut open along constraints. price
-  // may be empty: all places cost 1.
+  // The mesh has the vertex tag "ideal_faces" and ConstraintTags, and is cut open along constraints, or sewn
+  // again along its pieces. price may be empty: all places cost 1.
   PatchStars(const Mesh& mesh, IrregularPrice price);
 
   // Makes room for vertices to come.
@@ -28,9 +28,15 @@ class PatchStars {
   [[nodiscard]] bool on_boundary(VertexId v) const { return (stars_[v.value()].flags & kBoundary) != 0; }
   // Inside, but bound to its place: no patch may swallow it.
   [[nodiscard]] bool pinned(VertexId v) const { return (stars_[v.value()].flags & kPinned) != 0; }
+  // On a line that is not cut open on both sides of this vertex, and free to slide along it.
+  [[nodiscard]] bool on_line(VertexId v) const { return (stars_[v.value()].flags & kLine) != 0; }
+  // Whether a side lies on a line that is not cut open there.
+  [[nodiscard]] bool is_line(const Mesh& mesh, SideId s) const {
+    return tags_.constrained(s) && mesh.neighbour(s).valid();
+  }
   // Inside and free to move.
   [[nodiscard]] bool movable(VertexId v) const {
-    return (stars_[v.value()].flags & (kBoundary | kPinned)) == 0;
+    return (stars_[v.value()].flags & (kBoundary | kPinned | kLine)) == 0;
   }
   // A seed: a vertex with another number of faces than it should have, all of them quads.
   [[nodiscard]] bool irregular(VertexId v) const {
@@ -41,9 +47,12 @@ class PatchStars {
   [[nodiscard]] double price_at(Vec3 p) const { return price_ ? price_(p) : 1.0; }
   // The energy of v, had it so many faces.
   [[nodiscard]] double energy(const Mesh& mesh, VertexId v, int faces) const;
+  // The energy that it has: on a line that of both sides, so that one face here and three there do not count
+  // as four.
+  [[nodiscard]] double energy(const Mesh& mesh, VertexId v) const;
 
  private:
-  static constexpr std::uint8_t kBoundary = 1, kPinned = 2, kTriangle = 4;
+  static constexpr std::uint8_t kBoundary = 1, kPinned = 2, kTriangle = 4, kLine = 8;
   struct Star {
     std::uint8_t faces = 0, ideal = 4, flags = 0;
   };

@@ -15,7 +15,7 @@ constexpr std::array<const char*, kFillKinds> kFillNames = {"three_sided", "grid
                                                             "five_sided", "six_sided"};
 constexpr std::array<const char*, kPatchRejects> kRejectNames = {
     "no_disk",       "few_sides",       "many_sides", "no_solution_3", "no_solution_4", "no_solution_5",
-    "no_solution_6", "number_of_faces", "no_gain",    "double_edge",   "quality"};
+    "no_solution_6", "number_of_faces", "no_gain",    "lines",         "double_edge",   "quality"};
 
 // What local operators do once more after the patches.
 constexpr const char* kAtEnd = " at the end";
@@ -39,6 +39,7 @@ Json operator_json(const LocalOperatorReport& report) {
 
 Json patches_json(const PatchReport& report) {
   return {{"largest", report.largest},
+          {"over_lines", report.over_lines},
           {"seeds", report.seeds},
           {"searches", report.searches},
           {"convex_stages", report.stages},
@@ -58,7 +59,9 @@ Json operators_json(const LocalCleanupReport& report) {
   return operators;
 }
 
-std::string class_name(const PatchReport& report) { return "patches of " + std::to_string(report.largest); }
+std::string class_name(const PatchReport& report) {
+  return "patches of " + std::to_string(report.largest) + (report.over_lines ? " over lines" : "");
+}
 
 }  // namespace
 

@@ -198,6 +198,45 @@ TEST(CutOpenAlong, ALineFromOutlineToOutlineMakesTwoParts) {
   EXPECT_EQ(test::charge_of(made.mesh), 8);
 }
 
+TEST(SewPieces, JoinsTheEdgesBetweenSlidingVerticesAlone) {
+  Constrained made = lattice_of_six();
+  made.constrain({22, 23, 24, 25, 26});
+  for (const std::uint32_t v : {22U, 26U}) made.tags.support[VertexId(v)] = Support::fixed();
+  for (const std::uint32_t v : {23U, 24U, 25U}) made.tags.support[VertexId(v)] = Support::on(PieceId(0U));
+  cut_open(made.mesh, made.tags);
+  sew_pieces(made.mesh, made.tags);
+  EXPECT_EQ(validate(made.mesh, GeometryCheck::kNone), "");
+  const auto joined = [&](std::uint32_t a, std::uint32_t b) {
+    const SideId s = made.mesh.find_side(VertexId(a), VertexId(b));
+    EXPECT_TRUE(made.tags.constrained(s));
+    return made.mesh.neighbour(s).valid();
+  };
+  EXPECT_FALSE(joined(22, 23));
+  EXPECT_TRUE(joined(23, 24));
+  EXPECT_TRUE(joined(24, 25));
+  EXPECT_FALSE(joined(25, 26));
+  EXPECT_TRUE(made.mesh.on_boundary(VertexId(23U)));
+  EXPECT_FALSE(made.mesh.on_boundary(VertexId(24U)));
+  sew(made.mesh, made.tags);
+  EXPECT_EQ(neighbours_of(made.mesh), neighbours_of(lattice_of_six().mesh));
+  EXPECT_EQ(corners_of(made.mesh), corners_of(lattice_of_six().mesh));
+}
+
+TEST(SewPieces, LeavesWhatSewMakesWhole) {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    test::SyntheticMesh made = test::make_synthetic({.columns = 24, .rows = 20, .seed = seed});
+    const auto corners = corners_of(made.mesh);
+    const auto neighbours = neighbours_of(made.mesh);
+    cut_open(made.mesh, made.tags);
+    sew_pieces(made.mesh, made.tags);
+    EXPECT_EQ(validate(made.mesh, GeometryCheck::kNone), "");
+    sew(made.mesh, made.tags);
+    EXPECT_EQ(corners_of(made.mesh), corners);
+    EXPECT_EQ(neighbours_of(made.mesh), neighbours);
+  }
+}
+
 TEST(CutOpen, GivesTheSameMeshOnAnyNumberOfThreads) {
   std::vector<std::uint64_t> cut, sewn;
   for (const int threads : {1, 2, 4, 7}) {

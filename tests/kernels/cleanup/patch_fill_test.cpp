@@ -329,7 +329,7 @@ TEST(PatchPlacement, RelaxesAGridInABentPatchUntilNoFaceIsTurnedOver) {
   for (std::size_t v = layout.rim(); v < layout.vertices(); ++v) points[v] = {};
   const std::vector<Vec2> rim(points.begin(), points.begin() + layout.rim());
   LayoutNeighbours neighbours;
-  relax_layout(layout, points, neighbours);
+  relax_layout(layout, std::vector<bool>(layout.vertices()), points, neighbours);
   EXPECT_TRUE(std::equal(rim.begin(), rim.end(), points.begin()));
   for (const PatchLayout::Quad& quad : layout.quads())
     for (std::size_t k = 0; k < 4; ++k)

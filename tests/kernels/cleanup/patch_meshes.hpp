@@ -52,9 +52,9 @@ inline Mesh disk_of_quads(std::size_t quads, std::uint64_t seed) {
   return mesh;
 }
 
-// Quads between random lines with dead ends, cut open along them.
-inline SyntheticMesh cut_network(std::uint64_t seed) {
-  SyntheticMesh given = make_synthetic({.columns = 24, .rows = 20, .seed = seed, .jitter = 0.2});
+// Quads between lines, cut open along them.
+inline SyntheticMesh cut_network(const SyntheticOptions& options) {
+  SyntheticMesh given = make_synthetic(options);
   PairingReport paired;
   const Pairing pairing = pair_triangles(given.mesh, given.tags, {}, paired, {});
   SubdivideReport halved;
@@ -63,6 +63,11 @@ inline SyntheticMesh cut_network(std::uint64_t seed) {
   cut_open(given.mesh, given.tags);
   set_ideal_faces(given.mesh, PlaneModel());
   return given;
+}
+
+// The same between random lines with dead ends.
+inline SyntheticMesh cut_network(std::uint64_t seed) {
+  return cut_network({.columns = 24, .rows = 20, .seed = seed, .jitter = 0.2});
 }
 
 }  // namespace quarry::test

@@ -69,12 +69,17 @@ TEST(JobReport, ListsThePassesOfTheCleanUpWithTheOthers) {
   PatchReport& patches = report.clean_up->patches.emplace_back();
   patches.largest = 32;
   patches.commits = {"", 2, 8, 7, 6};
+  PatchReport over_lines = patches;
+  over_lines.largest = 128;
+  over_lines.over_lines = true;
+  report.clean_up->patches.push_back(over_lines);
   const auto passes = nlohmann::json::parse(report_text(report))["passes"];
-  ASSERT_EQ(passes.size(), 3U);
+  ASSERT_EQ(passes.size(), 4U);
   EXPECT_EQ(passes[1]["name"], "face collapse");
   EXPECT_EQ(passes[1]["rounds"], 3);
   EXPECT_EQ(passes[2]["name"], "patches of 32");
   EXPECT_EQ(passes[2]["live"], 7);
+  EXPECT_EQ(passes[3]["name"], "patches of 128 over lines");
 }
 
 TEST(JobReport, TellsTheFateOfEachLine) {

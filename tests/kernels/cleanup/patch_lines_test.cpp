@@ -1,0 +1,217 @@
+#include "kernels/cleanup/patch_lines.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "engine/mesh/build.hpp"
+#include "engine/mesh/sectors.hpp"
+#include "engine/mesh/validate.hpp"
+#include "engine/operation/editor.hpp"
+#include "engine/parallel/parallel.hpp"
+#include "kernels/cleanup/ideal.hpp"
+#include "kernels/cleanup/patch_placement.hpp"
+#include "kernels/cleanup/patch_remesh.hpp"
+#include "tests/kernels/cleanup/patch_meshes.hpp"
+#include "tests/support/charge.hpp"
+#include "tests/support/mesh_arrays.hpp"
+#include "tests/support/synthetic_mesh.hpp"
+
+namespace quarry {
+namespace {
+
+// Long lines: each piece has several vertices.
+test::SyntheticMesh cut_straight_lines(std::uint64_t seed) {
+  return test::cut_network({.columns = 24,
+                            .rows = 20,
+                            .seed = seed,
+                            .jitter = 0.2,
+                            .straight_lines = 5,
+                            .crooked_lines = 0,
+                            .origin = {0, 0}});
+}
+
+// The valence energy of the mesh cut open, sector by sector.
+int energy_by_sectors(Mesh& mesh) {
+  cut_open(mesh, ConstraintTags::of(mesh));
+  const auto ideal = set_ideal_faces(mesh, PlaneModel());
+  int energy = 0;
+  for (const VertexId v : mesh.vertices()) {
+    if (!mesh.alive(v)) continue;
+    int faces = 0;
+    for_each_side_around(mesh, v, [&](SideId) { ++faces; });
+    energy += valence_energy(faces, ideal[v]);
+  }
+  sew(mesh, ConstraintTags::of(mesh));
+  return energy;
+}
+
+PatchReport remesh_over_lines(Mesh& mesh, std::size_t largest) {
+  sew_pieces(mesh, ConstraintTags::of(mesh));
+  set_ideal_faces(mesh, PlaneModel());
+  PatchOptions options;
+  options.largest = largest;
+  options.over_lines = true;
+  PatchMemory memory;
+  return remesh_patches(mesh, PlaneModel(), options, memory, Progress());
+}
+
+// The length of the constrained edges on each piece; the edges must lie on it.
+std::map<std::uint32_t, double> covered(const Mesh& mesh, const ConstraintTags& tags,
+                                        const NodedLines& lines) {
+  const PieceFinder pieces(lines);
+  std::map<std::uint32_t, double> length_on;
+  for (const FaceId f : mesh.faces()) {
+    for (int k = 0; mesh.alive(f) && k < mesh.corner_count(f); ++k) {
+      const SideId s(f, k);
+      const SideId across = mesh.neighbour(s);
+      EXPECT_TRUE(!across.valid() || tags.constrained(s) == tags.constrained(across));
+      if (!tags.constrained(s) || (across.valid() && across < s)) continue;
+      const VertexId a = mesh.origin(s), b = mesh.target(s);
+      const PieceId piece = pieces.under_edge(tags.support[a], tags.support[b]);
+      length_on[piece.value()] += length(mesh.point(b) - mesh.point(a));
+    }
+  }
+  return length_on;
+}
+
+TEST(PatchesOverLines, KeepEveryLineCoveredAndLowerTheEnergy) {
+  std::uint64_t won = 0;
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    test::SyntheticMesh given = cut_straight_lines(seed);
+    Mesh& mesh = given.mesh;
+    sew(mesh, given.tags);
+    const auto before = covered(mesh, given.tags, given.lines);
+    for (const std::size_t largest : {32, 128}) {
+      const int energy = energy_by_sectors(mesh);
+      const int charge = test::charge_of(mesh);
+      cut_open(mesh, given.tags);
+      const PatchReport report = remesh_over_lines(mesh, largest);
+      EXPECT_EQ(validate(mesh, GeometryCheck::kPlanarCorners), "");
+      sew(mesh, given.tags);
+      EXPECT_EQ(validate(mesh, GeometryCheck::kPlanarCorners), "");
+      EXPECT_EQ(test::charge_of(mesh), charge);
+      const int now = energy_by_sectors(mesh);
+      EXPECT_TRUE(report.count_won() > 0 ? now < energy : now == energy) << energy << " and " << now;
+      won += report.count_won();
+    }
+    const auto after = covered(mesh, given.tags, given.lines);
+    ASSERT_EQ(after.size(), before.size());
+    for (const auto& [piece, all] : before) EXPECT_NEAR(after.at(piece), all, 1e-9 * all);
+  }
+  EXPECT_GT(won, 8U);
+}
+
+// The upper or, mirrored, the lower half of a rectangle whose middle line has two edges fewer than its other
+// long sides: a row ends in each half.
+struct Halves {
+  static constexpr std::uint32_t kNear = 12, kFar = 14, kRows = 6;
+
+  Mesh make() {
+    // From (0, 0) along the line, up, back and down.
+    const std::array<std::uint32_t, 4> lengths = {kNear, kRows, kFar, kRows};
+    PatchFill fill = *solve_pair(lengths, 0);
+    fill.split = kNear / 2;
+    const std::array<std::uint32_t, 4> corners = {0, kNear, kNear + kRows, kNear + kRows + kFar};
+    PatchLayout layout;
+    layout.build(fill, kNear + 2 * kRows + kFar, {}, corners);
+    std::vector<Vec2> points;
+    const auto side = [&](Vec2 from, Vec2 to, std::uint32_t edges) {
+      for (std::uint32_t i = 0; i < edges; ++i)
+        points.push_back(from + (static_cast<double>(i) / edges) * (to - from));
+    };
+    side({0, 0}, {13, 0}, kNear);
+    side({13, 0}, {13, 6}, kRows);
+    side({13, 6}, {0, 6}, kFar);
+    side({0, 6}, {0, 0}, kRows);
+    place_layout(layout, points);
+    LayoutNeighbours neighbours;
+    relax_layout(layout, std::vector<bool>(layout.vertices()), points, neighbours);
+    return mirror(layout, points);
+  }
+
+ private:
+  // The first kNear + 1 vertices, on the line, are those of both halves.
+  static Mesh mirror(const PatchLayout& layout, const std::vector<Vec2>& points) {
+    const std::uint32_t count = layout.vertices();
+    const auto below = [&](std::uint32_t v) { return VertexId(v <= kNear ? v : v + count - kNear - 1); };
+    std::vector<double> x, y;
+    for (const Vec2 p : points) {
+      x.push_back(p.x);
+      y.push_back(p.y);
+    }
+    for (std::uint32_t v = kNear + 1; v < count; ++v) {
+      x.push_back(points[v].x);
+      y.push_back(-points[v].y);
+    }
+    std::vector<FaceCorners> faces;
+    for (const PatchLayout::Quad& quad : layout.quads()) {
+      faces.push_back({VertexId(quad[0]), VertexId(quad[1]), VertexId(quad[2]), VertexId(quad[3])});
+      faces.push_back({below(quad[3]), below(quad[2]), below(quad[1]), below(quad[0])});
+    }
+    return build_mesh(std::move(x), std::move(y), faces);
+  }
+};
+
+TEST(PatchesOverLines, GiveALineTheEdgesThatBothSidesAskFor) {
+  Mesh mesh = Halves().make();
+  ConstraintTags tags = ConstraintTags::add_to(mesh);
+  for (const VertexId v : mesh.vertices())
+    if (mesh.on_boundary(v)) tags.support[v] = Support::fixed();
+  for (std::uint32_t i = 0; i < Halves::kNear; ++i) {
+    const SideId s = mesh.find_side(VertexId(i), VertexId(i + 1));
+    tags.set_constrained(s, true);
+    tags.set_constrained(mesh.neighbour(s), true);
+    if (i > 0) tags.support[VertexId(i)] = Support::on(PieceId(0U));
+  }
+  ASSERT_EQ(energy_by_sectors(mesh), 4);
+  cut_open(mesh, tags);
+  const PatchReport report = remesh_over_lines(mesh, 128);
+  sew(mesh, tags);
+  EXPECT_EQ(report.count_won(), 1U);
+  EXPECT_EQ(validate(mesh, GeometryCheck::kPlanarCorners), "");
+  EXPECT_EQ(energy_by_sectors(mesh), 0);
+  std::size_t on_line = 0;
+  for (const VertexId v : mesh.vertices()) {
+    if (!mesh.alive(v) || !tags.support[v].slides()) continue;
+    ++on_line;
+    EXPECT_NEAR(mesh.point(v).y, 0, 1e-12);
+  }
+  EXPECT_EQ(on_line, Halves::kFar - 1);
+}
+
+TEST(PatchesOverLines, AreTheSameOnAnyNumberOfThreads) {
+  const auto remeshed = [] {
+    test::SyntheticMesh given = cut_straight_lines(3);
+    remesh_over_lines(given.mesh, 128);
+    sew(given.mesh, given.tags);
+    return test::arrays_of(given.mesh);
+  };
+  std::vector<std::uint64_t> serial;
+  parallel::with_threads(1, [&] { serial = remeshed(); });
+  for (const int threads : {2, 4, 7}) {
+    std::vector<std::uint64_t> result;
+    parallel::with_threads(threads, [&] { result = remeshed(); });
+    EXPECT_EQ(result, serial) << threads << " threads";
+  }
+}
+
+#ifdef QUARRY_CHECK_CLAIMS
+TEST(PatchesOverLines, StayInsideTheirClaims) {
+  reset_claim_violations();
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    test::SyntheticMesh given = cut_straight_lines(seed);
+    remesh_over_lines(given.mesh, 128);
+  }
+  EXPECT_EQ(claim_violations().count, 0U) << claim_violations().first;
+}
+#endif
+
+}  // namespace
+}  // namespace quarry
