@@ -88,7 +88,7 @@ TEST(PatchesOverLines, KeepEveryLineCoveredAndLowerTheEnergy) {
     Mesh& mesh = given.mesh;
     sew(mesh, given.tags);
     const auto before = covered(mesh, given.tags, given.lines);
-    for (const std::size_t largest : {32, 128}) {
+    for (const std::size_t largest : {std::size_t{32}, std::size_t{128}}) {
       const int energy = energy_by_sectors(mesh);
       const int charge = test::charge_of(mesh);
       cut_open(mesh, given.tags);
