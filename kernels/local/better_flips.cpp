@@ -12,6 +12,9 @@ namespace {
 
 // A gain of rounding size would flip an edge of a square for ever.
 constexpr double kLeastGain = 1e-6;
+// A look takes less time than what it looks at takes to come from memory: all of a window is looked at in
+// each round, and is small enough to stay near.
+constexpr PassOptions kPass{.window = 4096, .cutoff = 1};
 
 class FlipIfBetter {
  public:
@@ -77,7 +80,7 @@ PassReport flip_to_better(Mesh& mesh, const Progress& progress) {
   work.reserve(sides.size());
   for (const std::uint32_t i : sides)
     work.push_back({mesh.origin(SideId(i)), mesh.target(SideId(i)), SideId(i)});
-  PassReport report = run_pass(mesh, operation, std::move(work), {.window = 4096, .cutoff = 1}, progress);
+  PassReport report = run_pass(mesh, operation, std::move(work), kPass, progress);
   report.name = "flips to better triangles";
   return report;
 }

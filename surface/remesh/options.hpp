@@ -29,7 +29,7 @@ struct RemeshOptions {
   double content = 0.6;
   // If positive: points of the surface farther from the mesh, after the first round, than this share of the
   // edge of a square as large as the triangle there have been lost: tips and pits. If they lie in few places,
-  // that is the end.
+  // remeshing ends there, before its last moves: the mesh is valid and of no use.
   double lost_from = 0;
 };
 

@@ -104,7 +104,10 @@ RemeshReport remesh_surface(Mesh& mesh, const SurfaceModel& model, const CurveNe
     if (round == 0 && options.lost_from > 0) {
       report.lost = find_lost_places(mesh, model, options.lost_from, sizes.edge());
       if (report.lost.size() > kMostLost) report.lost.clear();
-      if (!report.lost.empty()) break;
+      if (!report.lost.empty()) {
+        mesh.remove_tag<VertexId>(kWantedTag);
+        return report;
+      }
     }
     const double faces = static_cast<double>(mesh.count_alive_faces());
     const double wanted_faces = options.wanted_faces > 0 ? options.wanted_faces : room(state);

@@ -21,6 +21,19 @@
 
 namespace quarry::test {
 
+// The valence energy of a mesh with ideal faces.
+inline int energy_of(const Mesh& mesh) {
+  const auto ideal = mesh.find_tag<VertexId, std::uint8_t>(kIdealTag);
+  int energy = 0;
+  for (const VertexId v : mesh.vertices()) {
+    if (!mesh.alive(v)) continue;
+    int faces = 0;
+    for_each_side_around(mesh, v, [&](SideId) { ++faces; });
+    energy += valence_energy(faces, ideal[v]);
+  }
+  return energy;
+}
+
 // Splits each triangle of a triangulation into three quads; the boundary is fixed.
 inline Mesh split_three_ways(Mesh triangles) {
   ConstraintTags tags = ConstraintTags::add_to(triangles);

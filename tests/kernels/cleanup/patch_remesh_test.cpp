@@ -26,18 +26,6 @@
 namespace quarry {
 namespace {
 
-int energy_of(const Mesh& mesh) {
-  const auto ideal = mesh.find_tag<VertexId, std::uint8_t>(kIdealTag);
-  int energy = 0;
-  for (const VertexId v : mesh.vertices()) {
-    if (!mesh.alive(v)) continue;
-    int faces = 0;
-    for_each_side_around(mesh, v, [&](SideId) { ++faces; });
-    energy += valence_energy(faces, ideal[v]);
-  }
-  return energy;
-}
-
 std::size_t count_irregular(const Mesh& mesh) {
   std::size_t count = 0;
   for (const VertexId v : mesh.vertices()) {
@@ -79,12 +67,12 @@ TEST(RemeshPatches, LowersTheEnergyAndKeepsChargeValidityAndTheBoundary) {
     PatchMemory memory;
     for (const std::size_t largest : patch_classes(256, false, 0)) {
       SCOPED_TRACE("class " + std::to_string(largest));
-      const int before = energy_of(mesh);
+      const int before = test::energy_of(mesh);
       const PatchReport report = remesh_patches(mesh, PlaneModel(), options_of(largest), memory, Progress());
       EXPECT_EQ(validate(mesh, GeometryCheck::kPlanarCorners), "");
       EXPECT_EQ(test::charge_of(mesh), charge);
       EXPECT_EQ(boundary_of(mesh), boundary);
-      const int after = energy_of(mesh);
+      const int after = test::energy_of(mesh);
       if (report.count_won() > 0) {
         EXPECT_LT(after, before);
       } else {
@@ -271,11 +259,11 @@ TEST(RemeshPatches, KeepsLinesWithDeadEnds) {
     Mesh& mesh = given.mesh;
     const int charge = test::charge_of(mesh);
     const auto boundary = boundary_of(mesh);
-    int energy = energy_of(mesh);
+    int energy = test::energy_of(mesh);
     PatchMemory memory;
     for (const std::size_t largest : patch_classes(256, false, 0)) {
       const PatchReport report = remesh_patches(mesh, PlaneModel(), options_of(largest), memory, Progress());
-      const int now = energy_of(mesh);
+      const int now = test::energy_of(mesh);
       EXPECT_TRUE(report.count_won() > 0 ? now < energy : now == energy);
       energy = now;
     }
