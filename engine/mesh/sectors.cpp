@@ -137,12 +137,13 @@ void cut_open(Mesh& mesh, ConstraintTags tags) {
   });
 }
 
-void sew_pieces(Mesh& mesh, ConstraintTags tags) {
+void sew_pieces(Mesh& mesh, ConstraintTags tags, std::span<const std::uint8_t> nodes) {
   auto whole = mesh.find_tag<VertexId, VertexId>(kWholeTag);
   assert(whole.valid());
-  const auto slides = [&](VertexId v) { return std::as_const(tags.support)[v].slides(); };
-  join_cut_sides(mesh, tags, whole,
-                 [&](SideId s) { return slides(mesh.origin(s)) && slides(mesh.target(s)); });
+  const auto joins = [&](VertexId v) {
+    return std::as_const(tags.support)[v].slides() || nodes[whole_of(whole, v).value()] != 0;
+  };
+  join_cut_sides(mesh, tags, whole, [&](SideId s) { return joins(mesh.origin(s)) && joins(mesh.target(s)); });
   std::vector<std::uint8_t> joined(mesh.vertex_slots(), 0);
   for_each_side(mesh, [&](SideId s) {
     if (!tags.constrained(s) || !mesh.neighbour(s).valid()) return;

@@ -4,6 +4,9 @@
 // sector of a full turn.
 #pragma once
 
+#include <cstdint>
+#include <span>
+
 #include "engine/mesh/constraint.hpp"
 #include "engine/mesh/mesh.hpp"
 
@@ -23,10 +26,11 @@ inline constexpr const char* kWholeTag = "whole";
 // mesh must not be cut open already.
 void cut_open(Mesh& mesh, ConstraintTags tags);
 
-// Joins again what lies along the inside of pieces: the edges both of whose ends slide. The vertices of these
-// edges are in one piece then; an edge that ends at a node stays open, and what is next to it is the tip of a
-// slit. sew() works afterwards, too.
-void sew_pieces(Mesh& mesh, ConstraintTags tags);
+// Joins again what lies along the inside of lines: the edges both of whose ends slide, or are nodes that may
+// be in one piece (nodes, by vertex of the mesh before it was cut open; at most one edge of such a node may
+// lead to one that may not). The vertices of these edges are in one piece then; an edge that ends at another
+// node stays open, and what is next to it is the tip of a slit. sew() works afterwards, too.
+void sew_pieces(Mesh& mesh, ConstraintTags tags, std::span<const std::uint8_t> nodes);
 
 // The inverse, after any operation that has kept the boundary sides with their end points: joins the sides
 // that were one edge, puts the first copies in the place of all, and removes the tag. Copies become

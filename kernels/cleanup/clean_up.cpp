@@ -6,6 +6,7 @@
 #include "engine/mesh/compact.hpp"
 #include "engine/mesh/sectors.hpp"
 #include "kernels/cleanup/ideal.hpp"
+#include "kernels/cleanup/node_arms.hpp"
 #include "kernels/cleanup/patch_remesh.hpp"
 
 namespace quarry {
@@ -36,8 +37,11 @@ class CleanUp {
 
  private:
   void open(bool over_lines = false) {
-    cut_open(mesh_, ConstraintTags::of(mesh_));
-    if (over_lines) sew_pieces(mesh_, ConstraintTags::of(mesh_));
+    const ConstraintTags tags = ConstraintTags::of(mesh_);
+    std::vector<std::uint8_t> nodes;
+    if (over_lines) nodes = find_regular_nodes(mesh_, tags);
+    cut_open(mesh_, tags);
+    if (over_lines) sew_pieces(mesh_, tags, nodes);
     set_ideal_faces(mesh_, PlaneModel());
   }
 
@@ -88,8 +92,9 @@ class CleanUp {
   void remesh_over_lines(PatchOptions patches) {
     if (options_.over_lines == 0) return;
     const bool fewest = options_.level == CleanUpLevel::kFewest;
+    const PieceFinder pieces(lines_);
     PatchMemory memory;
-    patches.over_lines = true;
+    patches.over_lines = &pieces;
     patches.directions = options_.patches.directions;
     for (const std::size_t size : patch_classes(options_.patches.largest, false, 0)) {
       if (size < options_.over_lines || (size > options_.over_lines && !fewest)) continue;
@@ -100,7 +105,7 @@ class CleanUp {
 
   void remesh_class(const PatchOptions& patches, PatchMemory& memory) {
     add_time(report_.patch_seconds, [&] {
-      open(patches.over_lines);
+      open(patches.over_lines != nullptr);
       report_.patches.push_back(remesh_patches(mesh_, PlaneModel(), patches, memory, progress_));
       close();
     });

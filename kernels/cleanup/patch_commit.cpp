@@ -147,14 +147,11 @@ void PatchCommit<Model>::place(MeshEditor& editor, const PatchProposal& proposal
   worker.layout.build(proposal.fill, static_cast<std::uint32_t>(proposal.rim.size()), proposal.cuts,
                       proposal.sides.corner_places());
   place_points(editor, proposal, worker);
-  worker.vertices = proposal.rim;
+  name_vertices(proposal, ids, worker);
   worker.movable.clear();
   for (std::uint32_t i = worker.layout.rim(); i < worker.layout.vertices(); ++i) {
-    const std::size_t place = i - worker.layout.rim();
-    const VertexId v = place < proposal.inner.size() ? proposal.inner[place] : ids.take_vertex();
-    worker.vertices.push_back(v);
-    if (!worker.on_line[i]) worker.movable.push_back(v);
-    set_place(editor, v, model_->project(worker.points[i]));
+    if (!worker.on_line[i]) worker.movable.push_back(worker.vertices[i]);
+    set_place(editor, worker.vertices[i], model_->project(worker.points[i]));
   }
   if (!proposal.lines.empty()) bind_vertices(editor, proposal, worker);
   for (const VertexId v : proposal.rim)
@@ -163,6 +160,25 @@ void PatchCommit<Model>::place(MeshEditor& editor, const PatchProposal& proposal
   for (const PatchLayout::Quad& quad : worker.layout.quads())
     worker.fresh.push_back({worker.vertices[quad[0]], worker.vertices[quad[1]], worker.vertices[quad[2]],
                             worker.vertices[quad[3]]});
+}
+
+// Nodes keep their numbers; the others take those of the inner vertices in turn, then new ones.
+template <GeometryModel Model>
+void PatchCommit<Model>::name_vertices(const PatchProposal& proposal, NewIds& ids, Worker& worker) const {
+  worker.vertices = proposal.rim;
+  worker.vertices.resize(worker.layout.vertices());
+  for (const PatchNode& node : proposal.nodes) worker.vertices[node.place] = node.vertex;
+  const auto is_node = [&](VertexId v) {
+    return std::any_of(proposal.nodes.begin(), proposal.nodes.end(),
+                       [&](const PatchNode& node) { return node.vertex == v; });
+  };
+  auto unused = proposal.inner.begin();
+  for (std::size_t i = worker.layout.rim(); i < worker.vertices.size(); ++i) {
+    VertexId& v = worker.vertices[i];
+    if (v.valid()) continue;
+    while (unused != proposal.inner.end() && is_node(*unused)) ++unused;
+    v = unused != proposal.inner.end() ? *unused++ : ids.take_vertex();
+  }
 }
 
 // Lines are straight between the ends of their traces, with vertices evenly on them that stay there: the
@@ -174,6 +190,8 @@ void PatchCommit<Model>::place_points(const MeshEditor& editor, const PatchPropo
   for (const VertexId v : proposal.rim) worker.points.push_back(place_of<Point>(editor, v));
   place_layout(worker.layout, worker.points);
   worker.on_line.assign(worker.layout.vertices(), false);
+  for (const PatchNode& node : proposal.nodes)
+    worker.points[node.place] = place_of<Point>(editor, node.vertex);
   for (const PatchLine& line : proposal.lines) {
     detail::place_line(line.trace, worker.points);
     for (const std::uint32_t v : line.trace) worker.on_line[v] = v >= worker.layout.rim();
@@ -187,10 +205,11 @@ template <GeometryModel Model>
 void PatchCommit<Model>::bind_vertices(MeshEditor& editor, const PatchProposal& proposal,
                                        const Worker& worker) const {
   for (std::size_t i = worker.layout.rim(); i < worker.vertices.size(); ++i)
-    editor.set(tags_.support, worker.vertices[i], Support::free());
+    if (!editor.get(tags_.support, worker.vertices[i]).is_node())
+      editor.set(tags_.support, worker.vertices[i], Support::free());
   for (const PatchLine& line : proposal.lines)
-    for (const std::uint32_t v : line.trace)
-      if (worker.on_line[v]) editor.set(tags_.support, worker.vertices[v], line.support);
+    for (std::size_t i = 1; i + 1 < line.trace.size(); ++i)
+      editor.set(tags_.support, worker.vertices[line.trace[i]], line.support);
 }
 
 template <GeometryModel Model>

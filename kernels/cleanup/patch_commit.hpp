@@ -42,6 +42,7 @@ class PatchCommit {
   struct Worker;
 
   void place(MeshEditor& editor, const PatchProposal& proposal, NewIds& ids, Worker& worker) const;
+  void name_vertices(const PatchProposal& proposal, NewIds& ids, Worker& worker) const;
   void place_points(const MeshEditor& editor, const PatchProposal& proposal, Worker& worker) const;
   void bind_vertices(MeshEditor& editor, const PatchProposal& proposal, const Worker& worker) const;
   void save(const MeshEditor& editor, const PatchProposal& proposal, Worker& worker) const;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <optional>
 
 namespace quarry {
 
@@ -73,22 +74,34 @@ bool PatchGrowth::settle(VertexId v) {
   return !stars_->on_line(v) || settle_line(v);
 }
 
-// A line enters a patch with one face outside on either side of it, or not at all.
+// A line enters a patch with one face outside on either side of it, or not at all. Of several lines one
+// enters, the one across from it stays outside, and the others run along the rim.
 bool PatchGrowth::settle_line(VertexId v) {
-  bool enters = false, leaves = false;
-  SideId first, last;
-  for_each_side_around(*mesh_, v, [&](SideId s) {
-    if (!first.valid()) first = s;
-    last = s;
-    if (!stars_->is_line(*mesh_, s)) return;
-    const bool left = contains(s.face()), right = contains(mesh_->neighbour(s).face());
-    enters = enters || (left && right);
-    leaves = leaves || (!left && !right);
-  });
-  if (!enters) return true;
+  const std::optional<NodeArms> arms = arms_of(*mesh_, stars_->tags(), v);
+  int entering = -1, count = 0;
+  for (int i = 0; arms && i < arms->count; ++i) {
+    const SideId s = arms->sides[static_cast<std::size_t>(i)];
+    const SideId across = mesh_->neighbour(s);
+    if (!across.valid() || !contains(s.face()) || !contains(across.face())) continue;
+    entering = i;
+    ++count;
+  }
+  if (count == 0) return true;
+  if (count == 1 && outside(v) == 2 && passes(*arms, entering)) return true;
   // Where it is cut open from v on, it cannot be swallowed.
-  if (stars_->on_boundary(v)) return outside(v) == 2 && !contains(first.face()) && !contains(last.face());
-  return (leaves && outside(v) == 2) || add_star(v);
+  return !stars_->on_boundary(v) && add_star(v);
+}
+
+bool PatchGrowth::passes(const NodeArms& arms, int entering) const {
+  for (int i = 0; i < arms.count; ++i) {
+    const SideId s = arms.sides[static_cast<std::size_t>(i)];
+    // A line that is cut open begins the turn around the vertex, and ends it.
+    SideId right = mesh_->neighbour(s);
+    if (!right.valid()) for_each_side_around(*mesh_, mesh_->origin(s), [&](SideId last) { right = last; });
+    const bool outside = !contains(s.face()) && !contains(right.face());
+    if (i != entering && outside != arms.opposite(i, entering)) return false;
+  }
+  return true;
 }
 
 bool PatchGrowth::make_convex() {

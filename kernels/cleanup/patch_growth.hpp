@@ -9,8 +9,8 @@
 //   disk                          vertices - edges + faces = 1 without a pinch
 // A boundary vertex that wants three faces or more (a reflex corner, the tip of a dead-end line) is concave
 // with nothing left to take in: it counts as a side. Triangles and pinned vertices stop the growth.
-// Where lines are not cut open, the patch takes in faces until each line enters it between the last two faces
-// outside.
+// Where lines are not cut open, the patch takes in faces until each line enters it across from the last two
+// faces outside.
 #pragma once
 
 #include <cstdint>
@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "engine/mesh/mesh.hpp"
+#include "kernels/cleanup/node_arms.hpp"
 #include "kernels/cleanup/patch_stars.hpp"
 #include "kernels/local/paged_array.hpp"
 
@@ -73,6 +74,9 @@ class PatchGrowth {
   void meet(VertexId v);
   bool settle(VertexId v);
   bool settle_line(VertexId v);
+  // Whether of the lines around a rim vertex the one that does not enter and lies across is outside, and no
+  // other.
+  [[nodiscard]] bool passes(const NodeArms& arms, int entering) const;
 
   const Mesh* mesh_ = nullptr;
   const PatchStars* stars_ = nullptr;

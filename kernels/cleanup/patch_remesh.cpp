@@ -45,7 +45,7 @@ class PatchRemesher {
         wanted_(static_cast<double>(options.wanted_faces > 0 ? options.wanted_faces : faces_)),
         searches_([this] { return std::make_unique<PatchSearch>(mesh_, stars_, memory_, options_); }) {
     report_.largest = options.largest;
-    report_.over_lines = options.over_lines;
+    report_.over_lines = options.over_lines != nullptr;
 #ifndef NDEBUG
     balance_ = balance_of(mesh, model);
 #endif

@@ -219,7 +219,10 @@ PatchProposal PatchSearch::propose(const Candidate& candidate) {
   proposal.fill = candidate.fill;
   proposal.gain = candidate.gain;
   proposal.fresh_faces = static_cast<std::uint32_t>(count_fresh(candidate));
-  if (options_->over_lines) proposal.lines = lines_.lines();
+  if (options_->over_lines != nullptr) {
+    proposal.lines = lines_.lines();
+    proposal.nodes = lines_.nodes();
+  }
   proposal.key = signature_;
   collect_ring(proposal);
   return proposal;

@@ -24,6 +24,7 @@
 #include "kernels/cleanup/patch_partners.hpp"
 #include "kernels/cleanup/patch_report.hpp"
 #include "kernels/cleanup/patch_sides.hpp"
+#include "kernels/cleanup/patch_strands.hpp"
 #include "kernels/local/stamped_map.hpp"
 
 namespace quarry {
@@ -41,6 +42,7 @@ struct PatchProposal {
   PatchSides sides;  // of what the cuts leave
   PatchFill fill;
   std::vector<PatchLine> lines;  // through the fill
+  std::vector<PatchNode> nodes;  // of the lines, inside
   std::uint32_t fresh_faces = 0;
   double gain = 0;        // by so much the valence energy falls
   std::uint64_t key = 0;  // of its vertices: equal patches have equal keys, whoever found them
@@ -50,7 +52,7 @@ class PatchSearch {
  public:
   PatchSearch(const Mesh& mesh, const PatchStars& stars, const PatchMemory& memory,
               const PatchOptions& options)
-      : mesh_(&mesh), stars_(&stars), memory_(&memory), options_(&options), tags_(ConstraintTags::of(mesh)) {}
+      : mesh_(&mesh), stars_(&stars), memory_(&memory), options_(&options) {}
 
   // Forgets what was learned since the last call: searches of one chunk learn from one another.
   void begin_chunk();
@@ -143,10 +145,10 @@ class PatchSearch {
   const PatchStars* stars_;
   const PatchMemory* memory_;
   const PatchOptions* options_;
-  ConstraintTags tags_;
   PatchGrowth growth_;
   PatchPartners partners_;
   PatchLayout layout_;
+  PatchStrands strands_;
   PatchLines lines_;
   StampedMap<char> seen_;
   KeySet stages_here_, courses_here_;  // failed in this chunk: what learned_ holds

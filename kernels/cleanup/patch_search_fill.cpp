@@ -50,7 +50,8 @@ PatchSearch::CornerCounts PatchSearch::count_corners() {
 }
 
 bool PatchSearch::try_fills(Candidate& found, PatchReport& report) {
-  if (options_->over_lines && !lines_.find(*mesh_, tags_, *stars_, growth_, rim_)) {
+  const PieceFinder* pieces = options_->over_lines;
+  if (pieces != nullptr && !strands_.find(*mesh_, *stars_, *pieces, growth_, rim_)) {
     report.reject(PatchReject::kLines);
     return false;
   }
@@ -96,9 +97,9 @@ bool PatchSearch::accept(Candidate& candidate, PatchReport& report) {
 }
 
 bool PatchSearch::lines_pass(const Candidate& candidate) {
-  if (!options_->over_lines) return true;
+  if (options_->over_lines == nullptr) return true;
   build_layout(candidate);
-  return lines_.trace(layout_);
+  return lines_.trace(layout_, strands_);
 }
 
 void PatchSearch::set_ring_of_rim() {

@@ -1,18 +1,16 @@
 #include "kernels/cleanup/patch_stars.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cassert>
+#include <optional>
 #include <utility>
 
 #include "engine/parallel/parallel.hpp"
 #include "kernels/cleanup/ideal.hpp"
+#include "kernels/cleanup/node_arms.hpp"
 
 namespace quarry {
-namespace {
-
-constexpr int kStraight = 2;  // faces on each side of a straight line
-
-}  // namespace
-
 PatchStars::PatchStars(const Mesh& mesh, IrregularPrice price)
     : stars_(mesh.vertex_slots()),
       ideal_(mesh.find_tag<VertexId, std::uint8_t>(kIdealTag)),
@@ -26,10 +24,10 @@ void PatchStars::update(const Mesh& mesh, VertexId v) {
   if (mesh.alive(v)) {
     star.ideal = ideal_[v];
     int faces = 0;
-    const bool slides = tags_.support[v].slides();
+    const bool joins = tags_.support[v].slides() || tags_.support[v].is_node();
     for_each_side_around(mesh, v, [&](SideId s) {
       ++faces;
-      if (slides && tags_.constrained(s) && mesh.neighbour(s).valid()) star.flags |= kLine;
+      if (joins && tags_.constrained(s) && mesh.neighbour(s).valid()) star.flags |= kLine;
       if (mesh.corner_count(s.face()) == 3) star.flags |= kTriangle;
     });
     // More faces than fit are as bad as the most that do.
@@ -49,22 +47,18 @@ double PatchStars::energy(const Mesh& mesh, VertexId v, int faces) const {
 
 double PatchStars::energy(const Mesh& mesh, VertexId v) const {
   if (!on_line(v)) return energy(mesh, v, faces(v));
-  // Faces of the side that the turn is in, and of the one that it began in, which it comes back to.
-  int weight = 0, count = 0, begun = -1;
+  const std::optional<NodeArms> arms = arms_of(mesh, tags_, v);
+  assert(arms);
+  // The turn comes back to the sector in which it began, the last one.
+  std::array<int, NodeArms::kSlots> faces{};
+  int met = 0, begun = 0;
   for_each_side_around(mesh, v, [&](SideId s) {
-    if (is_line(mesh, s)) {
-      if (begun < 0)
-        begun = count;
-      else
-        weight += valence_energy(count, kStraight);
-      count = 0;
-    }
-    ++count;
+    if (tags_.constrained(s)) ++met;
+    ++(met == 0 ? begun : faces[static_cast<std::size_t>(met - 1)]);
   });
-  if (on_boundary(v))
-    weight += valence_energy(begun, kStraight) + valence_energy(count, kStraight);
-  else
-    weight += valence_energy(begun + count, kStraight);
+  faces[static_cast<std::size_t>(met - 1)] += begun;
+  int weight = 0;
+  for (int i = 0; i < met; ++i) weight += valence_energy(faces[static_cast<std::size_t>(i)], arms->ideal(i));
   return price_ && weight != 0 ? weight * price_(mesh.point3(v)) : weight;
 }
 

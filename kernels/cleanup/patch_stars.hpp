@@ -28,7 +28,8 @@ class PatchStars {
   [[nodiscard]] bool on_boundary(VertexId v) const { return (stars_[v.value()].flags & kBoundary) != 0; }
   // Inside, but bound to its place: no patch may swallow it.
   [[nodiscard]] bool pinned(VertexId v) const { return (stars_[v.value()].flags & kPinned) != 0; }
-  // On a line that is not cut open on both sides of this vertex, and free to slide along it.
+  // On a line that is not cut open on both sides of this vertex: it slides along it, or is a node that a
+  // regular vertex can hold.
   [[nodiscard]] bool on_line(VertexId v) const { return (stars_[v.value()].flags & kLine) != 0; }
   // Whether a side lies on a line that is not cut open there.
   [[nodiscard]] bool is_line(const Mesh& mesh, SideId s) const {
@@ -43,12 +44,13 @@ class PatchStars {
     const Star& star = stars_[v.value()];
     return star.faces != star.ideal && star.faces != 0 && (star.flags & kTriangle) == 0;
   }
+  [[nodiscard]] const ConstraintTags& tags() const { return tags_; }
   [[nodiscard]] bool has_price() const { return static_cast<bool>(price_); }
   [[nodiscard]] double price_at(Vec3 p) const { return price_ ? price_(p) : 1.0; }
   // The energy of v, had it so many faces.
   [[nodiscard]] double energy(const Mesh& mesh, VertexId v, int faces) const;
-  // The energy that it has: on a line that of both sides, so that one face here and three there do not count
-  // as four.
+  // The energy that it has: on lines that of the sectors between them, so that one face here and three there
+  // do not count as four.
   [[nodiscard]] double energy(const Mesh& mesh, VertexId v) const;
 
  private:

@@ -203,8 +203,9 @@ TEST(SewPieces, JoinsTheEdgesBetweenSlidingVerticesAlone) {
   made.constrain({22, 23, 24, 25, 26});
   for (const std::uint32_t v : {22U, 26U}) made.tags.support[VertexId(v)] = Support::fixed();
   for (const std::uint32_t v : {23U, 24U, 25U}) made.tags.support[VertexId(v)] = Support::on(PieceId(0U));
+  const std::vector<std::uint8_t> no_nodes(made.mesh.vertex_slots(), 0);
   cut_open(made.mesh, made.tags);
-  sew_pieces(made.mesh, made.tags);
+  sew_pieces(made.mesh, made.tags, no_nodes);
   EXPECT_EQ(validate(made.mesh, GeometryCheck::kNone), "");
   const auto joined = [&](std::uint32_t a, std::uint32_t b) {
     const SideId s = made.mesh.find_side(VertexId(a), VertexId(b));
@@ -228,9 +229,19 @@ TEST(SewPieces, LeavesWhatSewMakesWhole) {
     test::SyntheticMesh made = test::make_synthetic({.columns = 24, .rows = 20, .seed = seed});
     const auto corners = corners_of(made.mesh);
     const auto neighbours = neighbours_of(made.mesh);
+    // Every third node that has no edge to another one is in one piece.
+    std::vector<std::uint8_t> nodes(made.mesh.vertex_slots(), 0);
+    for (std::uint32_t v = 0; v < nodes.size(); v += 3) {
+      bool apart = made.tags.support[VertexId(v)].is_node() && !made.mesh.on_boundary(VertexId(v));
+      for_each_constrained_neighbour(made.mesh, made.tags, VertexId(v),
+                                     [&](VertexId w) { apart = apart && made.tags.support[w].slides(); });
+      nodes[v] = apart ? 1 : 0;
+    }
     cut_open(made.mesh, made.tags);
-    sew_pieces(made.mesh, made.tags);
+    sew_pieces(made.mesh, made.tags, nodes);
     EXPECT_EQ(validate(made.mesh, GeometryCheck::kNone), "");
+    for (std::uint32_t v = 0; v < nodes.size(); ++v)
+      EXPECT_TRUE(nodes[v] == 0 || !made.mesh.on_boundary(VertexId(v)));
     sew(made.mesh, made.tags);
     EXPECT_EQ(corners_of(made.mesh), corners);
     EXPECT_EQ(neighbours_of(made.mesh), neighbours);

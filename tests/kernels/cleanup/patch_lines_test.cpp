@@ -15,6 +15,7 @@
 #include "engine/operation/editor.hpp"
 #include "engine/parallel/parallel.hpp"
 #include "kernels/cleanup/ideal.hpp"
+#include "kernels/cleanup/node_arms.hpp"
 #include "kernels/cleanup/patch_placement.hpp"
 #include "kernels/cleanup/patch_remesh.hpp"
 #include "tests/kernels/cleanup/patch_meshes.hpp"
@@ -45,12 +46,17 @@ int energy_by_sectors(Mesh& mesh) {
   return energy;
 }
 
-PatchReport remesh_over_lines(Mesh& mesh, std::size_t largest) {
-  sew_pieces(mesh, ConstraintTags::of(mesh));
+// Of a whole mesh, which is cut open afterwards.
+PatchReport remesh_over_lines(Mesh& mesh, const NodedLines& lines, std::size_t largest) {
+  const ConstraintTags tags = ConstraintTags::of(mesh);
+  const std::vector<std::uint8_t> nodes = find_regular_nodes(mesh, tags);
+  cut_open(mesh, tags);
+  sew_pieces(mesh, tags, nodes);
   set_ideal_faces(mesh, PlaneModel());
+  const PieceFinder pieces(lines);
   PatchOptions options;
   options.largest = largest;
-  options.over_lines = true;
+  options.over_lines = &pieces;
   PatchMemory memory;
   return remesh_patches(mesh, PlaneModel(), options, memory, Progress());
 }
@@ -85,8 +91,7 @@ TEST(PatchesOverLines, KeepEveryLineCoveredAndLowerTheEnergy) {
     for (const std::size_t largest : {std::size_t{32}, std::size_t{128}}) {
       const int energy = energy_by_sectors(mesh);
       const int charge = test::charge_of(mesh);
-      cut_open(mesh, given.tags);
-      const PatchReport report = remesh_over_lines(mesh, largest);
+      const PatchReport report = remesh_over_lines(mesh, given.lines, largest);
       EXPECT_EQ(validate(mesh, GeometryCheck::kPlanarCorners), "");
       sew(mesh, given.tags);
       EXPECT_EQ(validate(mesh, GeometryCheck::kPlanarCorners), "");
@@ -165,8 +170,7 @@ TEST(PatchesOverLines, GiveALineTheEdgesThatBothSidesAskFor) {
     if (i > 0) tags.support[VertexId(i)] = Support::on(PieceId(0U));
   }
   ASSERT_EQ(energy_by_sectors(mesh), 4);
-  cut_open(mesh, tags);
-  const PatchReport report = remesh_over_lines(mesh, 128);
+  const PatchReport report = remesh_over_lines(mesh, NodedLines(), 128);
   sew(mesh, tags);
   EXPECT_EQ(report.count_won(), 1U);
   EXPECT_EQ(validate(mesh, GeometryCheck::kPlanarCorners), "");
@@ -180,10 +184,82 @@ TEST(PatchesOverLines, GiveALineTheEdgesThatBothSidesAskFor) {
   EXPECT_EQ(on_line, Halves::kFar - 1);
 }
 
+// The vertices straight on from v, away from `back`, to the boundary.
+std::vector<VertexId> straight_on(const Mesh& mesh, VertexId back, VertexId v) {
+  std::vector<VertexId> way{v};
+  while (!mesh.on_boundary(v)) {
+    const SideId left = mesh.next(mesh.find_side(back, v));
+    back = v;
+    v = mesh.target(mesh.next(mesh.neighbour(left)));
+    way.push_back(v);
+  }
+  return way;
+}
+
+// Halves with a node on the middle line, where other lines may leave it at right angles to the boundary.
+struct CrossedHalves {
+  Mesh mesh = Halves().make();
+  ConstraintTags tags = ConstraintTags::add_to(mesh);
+  NodedLines lines;
+  VertexId node{Halves::kNear / 6};
+
+  explicit CrossedHalves(bool up, bool down) {
+    for (const VertexId v : mesh.vertices())
+      if (mesh.on_boundary(v)) tags.support[v] = Support::fixed();
+    std::vector<VertexId> middle;
+    for (std::uint32_t i = 0; i <= Halves::kNear; ++i) middle.push_back(VertexId(i));
+    const auto at = middle.begin() + node.value();
+    tags.support[node] = Support::at(lines.nodes.push_back(mesh.point(node)));
+    add_piece({middle.begin(), at + 1});
+    add_piece({at, middle.end()});
+    const SideId along = mesh.find_side(node, *(at + 1));
+    if (up) add_piece_from_node(mesh.origin(mesh.previous(along)));
+    if (down) add_piece_from_node(mesh.target(mesh.next(mesh.neighbour(along))));
+  }
+
+  void add_piece_from_node(VertexId next) {
+    std::vector<VertexId> way = straight_on(mesh, node, next);
+    way.insert(way.begin(), node);
+    add_piece(way);
+  }
+
+  void add_piece(const std::vector<VertexId>& way) {
+    const NodeId far = lines.nodes.push_back(mesh.point(way.back() == node ? way.front() : way.back()));
+    const PieceId piece = lines.pieces.push_back({NodeId(0U), far});
+    for (std::size_t i = 0; i + 1 < way.size(); ++i) {
+      const SideId s = mesh.find_side(way[i], way[i + 1]);
+      tags.set_constrained(s, true);
+      tags.set_constrained(mesh.neighbour(s), true);
+      if (i > 0) tags.support[way[i]] = Support::on(piece);
+    }
+  }
+};
+
+TEST(PatchesOverLines, TakeNodesAlong) {
+  for (const auto& [up, down] : {std::pair(false, false), {true, false}, {false, true}, {true, true}}) {
+    SCOPED_TRACE(std::to_string(up) + std::to_string(down));
+    CrossedHalves given(up, down);
+    Mesh& mesh = given.mesh;
+    ASSERT_EQ(energy_by_sectors(mesh), 4);
+    const Vec2 place = mesh.point(given.node);
+    const PatchReport report = remesh_over_lines(mesh, given.lines, 256);
+    sew(mesh, given.tags);
+    EXPECT_EQ(report.count_won(), 1U);
+    EXPECT_EQ(validate(mesh, GeometryCheck::kPlanarCorners), "");
+    EXPECT_EQ(energy_by_sectors(mesh), 0);
+    EXPECT_EQ(mesh.point(given.node), place);
+    EXPECT_TRUE(given.tags.support[given.node].is_node());
+    int arms = 0;
+    for_each_constrained_neighbour(mesh, given.tags, given.node, [&](VertexId) { ++arms; });
+    EXPECT_EQ(arms, 2 + int{up} + int{down});
+  }
+}
+
 TEST(PatchesOverLines, AreTheSameOnAnyNumberOfThreads) {
   const auto remeshed = [] {
     test::SyntheticMesh given = cut_straight_lines(3);
-    remesh_over_lines(given.mesh, 128);
+    sew(given.mesh, given.tags);
+    remesh_over_lines(given.mesh, given.lines, 128);
     sew(given.mesh, given.tags);
     return test::arrays_of(given.mesh);
   };
@@ -201,7 +277,8 @@ TEST(PatchesOverLines, StayInsideTheirClaims) {
   reset_claim_violations();
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     test::SyntheticMesh given = cut_straight_lines(seed);
-    remesh_over_lines(given.mesh, 128);
+    sew(given.mesh, given.tags);
+    remesh_over_lines(given.mesh, given.lines, 128);
   }
   EXPECT_EQ(claim_violations().count, 0U) << claim_violations().first;
 }
