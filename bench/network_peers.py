@@ -4,12 +4,13 @@ import os
 
 import gmsh_geo
 from gmsh_peer import GMSH_WAYS, gmsh_command, gmsh_size
-from jobs import run, say
+from jobs import load_json, run, say
 
 # gmsh's pairing of triangles with nothing after it: quadrilaterals alone only where every triangle finds a partner.
 PLAIN_WAYS = (
     ("simple recombination", "faces", 1, {"Algorithm": 6, "RecombineAll": 1, "RecombinationAlgorithm": 0}),
     ("blossom recombination", "faces", 1, {"Algorithm": 6, "RecombineAll": 1, "RecombinationAlgorithm": 1}),
+    ("full quad", "faces", 1, {"Algorithm": 6, "RecombineAll": 1, "RecombinationAlgorithm": 3}),
 )
 # Triangles of gmsh: what it does, options.
 GMSH_TRIANGLES = (("triangles, frontal", {"Algorithm": 6}), ("triangles, Delaunay", {"Algorithm": 5}))
@@ -46,6 +47,20 @@ def kept_share(bench, mesh, clean, size, shift=(0, 0)):
     """How much of the cleaned lines' length lies under edges of a .msh, in %; None where it cannot be measured."""
     found = bench.check("kept_lines.py", mesh, clean, "--near", repr(KEPT_WITHIN * size), "--shift", *map(repr, shift))
     return found and found.get("covered_pct")
+
+
+def figures_of(quality):
+    """A row's figures of the elements, of what `quarry quality --json` and reports say."""
+    shapes = quality["scaled_jacobian"]
+    return {"sj_min": shapes["min"], "sj_mean": shapes["mean"], "below_0.2": 100 * shapes["share_below_0.2"],
+            "irregular": 100 * quality["valence"]["irregular_share"]}
+
+
+def measured_figures(bench, mesh):
+    """The same of a mesh file; none if quarry does not read it."""
+    printed = bench.path("quality.json")
+    done = run([bench.quarry, "quality", mesh, "--json"], bench.folder, output=printed)
+    return figures_of(load_json(printed)) if done.code == 0 else {}
 
 
 def gmsh_ways():
@@ -95,6 +110,8 @@ def gmsh_rows(bench, clean, size, quads):
             shapes = quality["quad"]
             row.update({"sj_min": shapes["scaled_jacobian"]["min"], "sj_mean": shapes["scaled_jacobian"]["mean"],
                         "below_0.2": shapes["sj_below_0p2_pct"], "irregular": quality["valence"]["irregular_pct"]})
+        elif kind == "triangle":
+            row.update(measured_figures(bench, target))
         row["kept"] = kept_share(bench, target, clean, size, shift)
         yield {**row, **best_of(bench, gmsh_command(geo, target, factor * size, options, True))}
 
@@ -114,7 +131,9 @@ def netgen_rows(bench, clean, size):
         with open(printed, errors="replace") as file:
             row.update(json.loads(file.read().strip().splitlines()[-1]))
         run(["/usr/bin/python3", NETGEN, target, exported], bench.folder)
-        row["kept"] = kept_share(bench, bench.as_msh(exported, bench.path("netgen.msh")), clean, size)
+        mesh = bench.as_msh(exported, bench.path("netgen.msh"))
+        row.update(measured_figures(bench, mesh))
+        row["kept"] = kept_share(bench, mesh, clean, size)
         yield {**row, **best_of(bench, command, [done])}
 
 

@@ -25,7 +25,7 @@ import page
 import ratios
 from jobs import Referee, call_checker, digest, load_json, machine_text, run, say, source_commit
 from maps import box_of
-from network_peers import KEPT_WITHIN, kept_share, peer_rows
+from network_peers import KEPT_WITHIN, figures_of, kept_share, peer_rows
 
 # H times the root of the number of segments, in a box of 1000: about 120 and 70 quads a segment.
 SHAPES = {"1,000 segments": (1000, 105), "10,000": (10000, 145), "100,000": (100000, 145), "1,000,000": (1000000, 290)}
@@ -77,14 +77,11 @@ def measure_ours(bench, label, lines, clean, size):
             continue
         kept = kept_share(bench, bench.as_msh(bench.path("out.vtu"), bench.path("out.msh")), clean, size)
         two, second, _ = bench.mesh(lines, size, extra, 2)
-        quality = job["quality"]
         yield {"network": label, "what": what, "size": size,
                "elements": job["counts"]["quads"] + job["counts"]["triangles"],
                "one": {"cpu": one.cpu, "wall": one.wall}, "two": {"cpu": two.cpu, "wall": two.wall},
                "peak": job["peak_memory_bytes"], "same_bytes": first == second, "kept": kept,
-               "sj_min": quality["scaled_jacobian"]["min"], "sj_mean": quality["scaled_jacobian"]["mean"],
-               "below_0.2": 100 * quality["scaled_jacobian"]["share_below_0.2"],
-               "irregular": 100 * quality["valence"]["irregular_share"]}
+               **figures_of(job["quality"])}
 
 
 def quads_of(ours, label):

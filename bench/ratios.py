@@ -24,7 +24,7 @@ def why_not_counted(row):
     if row["kind"] == "quad" and row["triangles"]:
         return f"{row['triangles']:,} triangles left"
     if row.get("sj_min", 1) <= 0:
-        return "inverted quads"
+        return "inverted elements"
     return "lines lost" if (row.get("kept") or 100) < WHOLE else ""
 
 

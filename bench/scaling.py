@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """One network on more and more threads: the seconds of each stage, memory, and whether the bytes stay the same. Prints
-a table in Markdown, as they stand in docs/results-scaling.md; ends with 1 if any mesh has other bytes.
+a table in Markdown, as they stand in docs/results-scaling.md; ends with 1 if any mesh has other bytes, or a run fails.
 
 usage: scaling.py [--quarry build/quarry] [--segments 100000] [--threads 1,2,4,8,16] [--limit 3600] [-- OPTIONS OF MESH]
 
@@ -84,8 +84,8 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         rows = list(measure(arguments, folder))
     print(table(arguments, rows))
-    digests = {row["digest"] for row in rows if row["code"] == 0}
-    sys.exit(1 if len(digests) > 1 else 0)
+    digests = {row.get("digest") for row in rows}
+    sys.exit(0 if len(digests) == 1 and None not in digests else 1)
 
 
 if __name__ == "__main__":

@@ -6,7 +6,7 @@
 #include "engine/mesh/compact.hpp"
 #include "engine/mesh/sectors.hpp"
 #include "kernels/cleanup/ideal.hpp"
-#include "kernels/cleanup/node_arms.hpp"
+#include "kernels/cleanup/node_slots.hpp"
 #include "kernels/cleanup/patch_remesh.hpp"
 
 namespace quarry {
@@ -36,12 +36,13 @@ class CleanUp {
   }
 
  private:
-  void open(bool over_lines = false) {
+  // over_lines: sewn again where lines are to run through patches; else none.
+  void open(const NodeSlots* over_lines = nullptr) {
     const ConstraintTags tags = ConstraintTags::of(mesh_);
     std::vector<std::uint8_t> nodes;
-    if (over_lines) nodes = find_regular_nodes(mesh_, tags);
+    if (over_lines != nullptr) nodes = find_regular_nodes(mesh_, tags, *over_lines);
     cut_open(mesh_, tags);
-    if (over_lines) sew_pieces(mesh_, tags, nodes);
+    if (over_lines != nullptr) sew_pieces(mesh_, tags, nodes);
     set_ideal_faces(mesh_, PlaneModel());
   }
 
@@ -92,9 +93,9 @@ class CleanUp {
   void remesh_over_lines(PatchOptions patches) {
     if (options_.over_lines == 0) return;
     const bool fewest = options_.level == CleanUpLevel::kFewest;
-    const PieceFinder pieces(lines_);
+    const NodeSlots slots(lines_);
     PatchMemory memory;
-    patches.over_lines = &pieces;
+    patches.over_lines = &slots;
     patches.directions = options_.patches.directions;
     for (const std::size_t size : patch_classes(options_.patches.largest, false, 0)) {
       if (size < options_.over_lines || (size > options_.over_lines && !fewest)) continue;
@@ -105,7 +106,7 @@ class CleanUp {
 
   void remesh_class(const PatchOptions& patches, PatchMemory& memory) {
     add_time(report_.patch_seconds, [&] {
-      open(patches.over_lines != nullptr);
+      open(patches.over_lines);
       report_.patches.push_back(remesh_patches(mesh_, PlaneModel(), patches, memory, progress_));
       close();
     });

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <optional>
 
 namespace quarry {
 
@@ -77,29 +76,27 @@ bool PatchGrowth::settle(VertexId v) {
 // A line enters a patch with one face outside on either side of it, or not at all. Of several lines one
 // enters, the one across from it stays outside, and the others run along the rim.
 bool PatchGrowth::settle_line(VertexId v) {
-  const std::optional<NodeArms> arms = arms_of(*mesh_, stars_->tags(), v);
+  const NodeArms arms = stars_->arms(*mesh_, v);
   int entering = -1, count = 0;
-  for (int i = 0; arms && i < arms->count; ++i) {
-    const SideId s = arms->sides[static_cast<std::size_t>(i)];
-    const SideId across = mesh_->neighbour(s);
-    if (!across.valid() || !contains(s.face()) || !contains(across.face())) continue;
+  for (int i = 0; i < arms.count(); ++i) {
+    if (!holds_both_sides(arms.side(i))) continue;
     entering = i;
     ++count;
   }
   if (count == 0) return true;
-  if (count == 1 && outside(v) == 2 && passes(*arms, entering)) return true;
+  if (count == 1 && outside(v) == 2 && goes_on_across(arms, entering)) return true;
   // Where it is cut open from v on, it cannot be swallowed.
   return !stars_->on_boundary(v) && add_star(v);
 }
 
-bool PatchGrowth::passes(const NodeArms& arms, int entering) const {
-  for (int i = 0; i < arms.count; ++i) {
-    const SideId s = arms.sides[static_cast<std::size_t>(i)];
+bool PatchGrowth::goes_on_across(const NodeArms& arms, int entering) const {
+  for (int i = 0; i < arms.count(); ++i) {
+    const SideId s = arms.side(i);
     // A line that is cut open begins the turn around the vertex, and ends it.
     SideId right = mesh_->neighbour(s);
     if (!right.valid()) for_each_side_around(*mesh_, mesh_->origin(s), [&](SideId last) { right = last; });
-    const bool outside = !contains(s.face()) && !contains(right.face());
-    if (i != entering && outside != arms.opposite(i, entering)) return false;
+    const bool leaves = !contains(s.face()) && !contains(right.face());
+    if (i != entering && leaves != arms.opposite(i, entering)) return false;
   }
   return true;
 }

@@ -18,7 +18,7 @@
 #include <vector>
 
 #include "engine/mesh/mesh.hpp"
-#include "kernels/cleanup/node_arms.hpp"
+#include "kernels/cleanup/node_slots.hpp"
 #include "kernels/cleanup/patch_stars.hpp"
 #include "kernels/local/paged_array.hpp"
 
@@ -51,6 +51,11 @@ class PatchGrowth {
   // All vertices of the patch, in the order in which they were met.
   [[nodiscard]] std::span<const VertexId> vertices() const { return members_; }
   [[nodiscard]] bool contains(FaceId f) const { return taken_.get(f); }
+  // Whether the edge lies inside.
+  [[nodiscard]] bool holds_both_sides(SideId s) const {
+    const SideId across = mesh_->neighbour(s);
+    return contains(s.face()) && across.valid() && contains(across.face());
+  }
   [[nodiscard]] bool contains(VertexId v) const { return counts_.get(v).faces != 0; }
   // Faces of the patch around a vertex of it.
   [[nodiscard]] int inside(VertexId v) const { return counts_.get(v).faces; }
@@ -76,7 +81,7 @@ class PatchGrowth {
   bool settle_line(VertexId v);
   // Whether of the lines around a rim vertex the one that does not enter and lies across is outside, and no
   // other.
-  [[nodiscard]] bool passes(const NodeArms& arms, int entering) const;
+  [[nodiscard]] bool goes_on_across(const NodeArms& arms, int entering) const;
 
   const Mesh* mesh_ = nullptr;
   const PatchStars* stars_ = nullptr;

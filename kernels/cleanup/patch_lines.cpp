@@ -16,12 +16,12 @@ bool PatchLines::trace(const PatchLayout& layout, const PatchStrands& strands) {
   gather();
   const auto count = static_cast<std::uint32_t>(strands.strands().size());
   ways_.resize(std::max<std::size_t>(ways_.size(), count));
-  of_.assign(strands.stops().size(), 0);
+  strand_of_.assign(strands.stops().size(), 0);
   at_.assign(strands.stops().size(), 0);
   for (std::uint32_t i = 0; i < count; ++i) {
     const PatchStrands::Strand& strand = strands.strands()[i];
     if (!walk(strand, ways_[i])) return false;
-    std::fill(of_.begin() + strand.begin, of_.begin() + strand.end, i);
+    std::fill(strand_of_.begin() + strand.begin, strand_of_.begin() + strand.end, i);
   }
   if (!place_crossings()) return false;
   for (std::uint32_t i = 0; i < count; ++i)
@@ -72,7 +72,7 @@ bool PatchLines::walk(const PatchStrands::Strand& strand, Way& way) {
 bool PatchLines::place_crossings() {
   for (const PatchStrands::Strand& strand : strands_->strands())
     if (strand.to != PatchStrands::kNone)
-      at_[strand.end - 1] = static_cast<std::uint32_t>(ways_[of_[strand.begin]].size() - 1);
+      at_[strand.end - 1] = static_cast<std::uint32_t>(ways_[strand_of_[strand.begin]].size() - 1);
   const auto nodes = strands_->nodes();
   return std::all_of(nodes.begin(), nodes.end(), [&](const PatchStrands::Node& node) {
     return node.second == PatchStrands::kNone || cross(node.first, node.second);
@@ -81,8 +81,8 @@ bool PatchLines::place_crossings() {
 
 // Where the second strand first meets the first one in the order in which they did around the node.
 bool PatchLines::cross(std::uint32_t first, std::uint32_t second) {
-  const Way& way = ways_[of_[first]];
-  const Way& other = ways_[of_[second]];
+  const Way& way = ways_[strand_of_[first]];
+  const Way& other = ways_[strand_of_[second]];
   const int turns = (strands_->stops()[second].slot - strands_->stops()[first].slot + 4) % 4;
   for (std::uint32_t j = 1; j < other.size() && other[j] >= layout_->rim(); ++j) {
     const auto met = std::find(way.begin() + 1, way.end(), other[j]);

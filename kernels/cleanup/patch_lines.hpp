@@ -4,9 +4,10 @@
 //
 //   A line passes through a fill if the straight way from the rim vertex where it enters, through the middle
 //   of that vertex's two faces and on through the opposite edge of each regular vertex, ends at the rim
-//   vertex where the line left. The vertices of this way are then those of the line. A node on two lines
-//   takes the vertex where their ways cross, one on a single line any vertex of its way: by the lengths of
-//   the pieces on either side of it.
+//   vertex where the line left, or comes so far as to the node inside where the line ends. The vertices of
+//   this way are then those of the line. A node on two lines takes the vertex where their ways cross, one on
+//   a single line any vertex of its way: by the lengths of the pieces on either side of it, and a dead end by
+//   its number of edges.
 #pragma once
 
 #include <cstdint>
@@ -53,9 +54,9 @@ class PatchLines {
 
   const PatchLayout* layout_ = nullptr;
   const PatchStrands* strands_ = nullptr;
-  std::vector<Way> ways_;          // of the strands, from the rim on
-  std::vector<std::uint32_t> of_;  // by stop: its strand
-  std::vector<std::uint32_t> at_;  // by stop: its place on the way, 0 as long as it has none
+  std::vector<Way> ways_;                 // of the strands, from the rim on
+  std::vector<std::uint32_t> strand_of_;  // by stop
+  std::vector<std::uint32_t> at_;         // by stop: its place on the way, 0 as long as it has none
   std::vector<PatchLine> lines_;
   std::vector<PatchNode> nodes_;
   std::vector<std::uint8_t> faces_;   // by vertex of the layout

@@ -38,9 +38,9 @@ struct PatchOptions {
   std::size_t harmonic_from = 0;
   // Of the fills that are folded after six sweeps of untangling one in two hundred would ever be kept.
   LocalShapeOptions smoothing{.untangling_sweeps = 6, .sweeps = 4};
-  // The mesh is sewn along these pieces (sew_pieces, with find_regular_nodes): only patches that a line
-  // crosses are looked for. None: it is cut open along all of them.
-  const PieceFinder* over_lines = nullptr;
+  // The mesh, in the plane, is sewn along its lines (sew_pieces, with find_regular_nodes of these slots):
+  // only patches that a line crosses are looked for. None: it is cut open along all of them.
+  const NodeSlots* over_lines = nullptr;
   IrregularPrice price;  // empty: all places cost the same
   bool reverse = false;  // commit winners last to first: a test that they are independent
 };

@@ -39,7 +39,7 @@ class PatchRemesher {
         model_(model),
         options_(options),
         memory_(memory),
-        stars_(mesh, options.price),
+        stars_(mesh, options.price, options.over_lines),
         taken_(mesh.vertex_slots(), 0),
         faces_(mesh.count_alive_faces()),
         wanted_(static_cast<double>(options.wanted_faces > 0 ? options.wanted_faces : faces_)),
@@ -266,6 +266,7 @@ void PatchRemesher<Model>::count_outcomes(const PatchCommit<Model>& operation) {
 template <GeometryModel Model>
 PatchReport remesh_patches(Mesh& cut_open, const Model& model, const PatchOptions& options,
                            PatchMemory& memory, const Progress& progress) {
+  assert(options.over_lines == nullptr || cut_open.planar());
   memory.begin_class(cut_open);
   return PatchRemesher<Model>(cut_open, model, options, memory).run(progress);
 }

@@ -7,7 +7,8 @@
 // or it is too large. Where that fails the next partner is tried. Rings all around add the same to every
 // side, so that a wrong parity stays wrong, and near lines they soon meet too many corners: at last the
 // patches grow by single rows, towards irregular vertices, and then on one side of the seed only. A patch
-// never contains a triangle, nor a vertex inside that is bound to its place.
+// never contains a triangle, nor a vertex inside that is bound to its place, but for nodes of lines where
+// lines run through it.
 #pragma once
 
 #include <array>

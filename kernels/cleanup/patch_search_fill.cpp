@@ -50,8 +50,7 @@ PatchSearch::CornerCounts PatchSearch::count_corners() {
 }
 
 bool PatchSearch::try_fills(Candidate& found, PatchReport& report) {
-  const PieceFinder* pieces = options_->over_lines;
-  if (pieces != nullptr && !strands_.find(*mesh_, *stars_, *pieces, growth_, rim_)) {
+  if (options_->over_lines != nullptr && !strands_.find(*mesh_, *stars_, growth_, rim_)) {
     report.reject(PatchReject::kLines);
     return false;
   }

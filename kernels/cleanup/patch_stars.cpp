@@ -2,20 +2,19 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
-#include <optional>
 #include <utility>
 
 #include "engine/parallel/parallel.hpp"
 #include "kernels/cleanup/ideal.hpp"
-#include "kernels/cleanup/node_arms.hpp"
 
 namespace quarry {
-PatchStars::PatchStars(const Mesh& mesh, IrregularPrice price)
+
+PatchStars::PatchStars(const Mesh& mesh, IrregularPrice price, const NodeSlots* slots)
     : stars_(mesh.vertex_slots()),
       ideal_(mesh.find_tag<VertexId, std::uint8_t>(kIdealTag)),
       tags_(ConstraintTags::of(mesh)),
-      price_(std::move(price)) {
+      price_(std::move(price)),
+      slots_(slots) {
   parallel::for_each(stars_.size(), [&](std::size_t i) { update(mesh, VertexId(i)); });
 }
 
@@ -47,18 +46,17 @@ double PatchStars::energy(const Mesh& mesh, VertexId v, int faces) const {
 
 double PatchStars::energy(const Mesh& mesh, VertexId v) const {
   if (!on_line(v)) return energy(mesh, v, faces(v));
-  const std::optional<NodeArms> arms = arms_of(mesh, tags_, v);
-  assert(arms);
+  const NodeArms around = arms(mesh, v);
   // The turn comes back to the sector in which it began, the last one.
   std::array<int, NodeArms::kSlots> faces{};
   int met = 0, begun = 0;
   for_each_side_around(mesh, v, [&](SideId s) {
-    if (tags_.constrained(s)) ++met;
+    if (met < around.count() && s == around.side(met)) ++met;
     ++(met == 0 ? begun : faces[static_cast<std::size_t>(met - 1)]);
   });
   faces[static_cast<std::size_t>(met - 1)] += begun;
   int weight = 0;
-  for (int i = 0; i < met; ++i) weight += valence_energy(faces[static_cast<std::size_t>(i)], arms->ideal(i));
+  for (int i = 0; i < met; ++i) weight += valence_energy(faces[static_cast<std::size_t>(i)], around.ideal(i));
   return price_ && weight != 0 ? weight * price_(mesh.point3(v)) : weight;
 }
 

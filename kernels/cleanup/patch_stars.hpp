@@ -9,14 +9,16 @@
 #include "engine/mesh/constraint.hpp"
 #include "engine/mesh/mesh.hpp"
 #include "kernels/cleanup/irregular_price.hpp"
+#include "kernels/cleanup/node_slots.hpp"
 
 namespace quarry {
 
 class PatchStars {
  public:
   // The mesh has the vertex tag "ideal_faces" and ConstraintTags, and is cut open along constraints, or sewn
-  // again along its pieces. price may be empty: all places cost 1.
-  PatchStars(const Mesh& mesh, IrregularPrice price);
+  // again with the nodes that find_regular_nodes finds with these slots. price may be empty: all places
+  // cost 1.
+  PatchStars(const Mesh& mesh, IrregularPrice price, const NodeSlots* slots = nullptr);
 
   // Makes room for vertices to come.
   void grow(std::size_t vertices) { stars_.resize(vertices); }
@@ -26,7 +28,7 @@ class PatchStars {
   [[nodiscard]] int faces(VertexId v) const { return stars_[v.value()].faces; }
   [[nodiscard]] int ideal(VertexId v) const { return stars_[v.value()].ideal; }
   [[nodiscard]] bool on_boundary(VertexId v) const { return (stars_[v.value()].flags & kBoundary) != 0; }
-  // Inside, but bound to its place: no patch may swallow it.
+  // Inside, but bound to its place, and on no line that is sewn: no patch may swallow it.
   [[nodiscard]] bool pinned(VertexId v) const { return (stars_[v.value()].flags & kPinned) != 0; }
   // On a line that is not cut open on both sides of this vertex: it slides along it, or is a node that a
   // regular vertex can hold.
@@ -45,6 +47,9 @@ class PatchStars {
     return star.faces != star.ideal && star.faces != 0 && (star.flags & kTriangle) == 0;
   }
   [[nodiscard]] const ConstraintTags& tags() const { return tags_; }
+  // The lines around a vertex on lines.
+  [[nodiscard]] NodeArms arms(const Mesh& mesh, VertexId v) const { return *slots_->arms_of(mesh, tags_, v); }
+  [[nodiscard]] const PieceFinder& pieces() const { return slots_->pieces(); }
   [[nodiscard]] bool has_price() const { return static_cast<bool>(price_); }
   [[nodiscard]] double price_at(Vec3 p) const { return price_ ? price_(p) : 1.0; }
   // The energy of v, had it so many faces.
@@ -63,6 +68,7 @@ class PatchStars {
   Tag<VertexId, std::uint8_t> ideal_;
   ConstraintTags tags_;
   IrregularPrice price_;
+  const NodeSlots* slots_;
 };
 
 }  // namespace quarry

@@ -1,15 +1,13 @@
 #include "kernels/cleanup/patch_strands.hpp"
 
 #include <algorithm>
-#include <optional>
 
 namespace quarry {
 
-bool PatchStrands::find(const Mesh& mesh, const PatchStars& stars, const PieceFinder& pieces,
-                        const PatchGrowth& growth, std::span<const VertexId> rim) {
+bool PatchStrands::find(const Mesh& mesh, const PatchStars& stars, const PatchGrowth& growth,
+                        std::span<const VertexId> rim) {
   mesh_ = &mesh;
   stars_ = &stars;
-  pieces_ = &pieces;
   growth_ = &growth;
   rim_ = rim;
   strands_.clear();
@@ -20,14 +18,13 @@ bool PatchStrands::find(const Mesh& mesh, const PatchStars& stars, const PieceFi
   inner_ = 0;
   for (std::uint32_t i = 0; i < rim.size(); ++i) {
     if (!stars.on_line(rim[i])) continue;
-    const bool walked =
+    const bool known =
         std::any_of(strands_.begin(), strands_.end(), [&](const Strand& strand) { return strand.to == i; });
-    if (walked) continue;
+    if (known) continue;
     // One line enters at most: the growth of the patch sees to it.
     SideId entering;
     for_each_side_around(mesh, rim[i], [&](SideId s) {
-      if (stars.is_line(mesh, s) && growth.contains(s.face()) && growth.contains(mesh.neighbour(s).face()))
-        entering = s;
+      if (stars.tags().constrained(s) && growth.holds_both_sides(s)) entering = s;
     });
     if (entering.valid()) follow(entering, i);
   }
@@ -60,8 +57,8 @@ PatchStrands::Stop PatchStrands::walk(SideId& side) {
     return length(mesh_->point(mesh_->target(side)) - mesh_->point(mesh_->origin(side)));
   };
   Stop stop;
-  stop.support =
-      Support::on(pieces_->under_edge(tags.support[mesh_->origin(side)], tags.support[mesh_->target(side)]));
+  stop.support = Support::on(
+      stars_->pieces().under_edge(tags.support[mesh_->origin(side)], tags.support[mesh_->target(side)]));
   stop.edges = 1;
   stop.length = measure();
   for (VertexId v = mesh_->target(side); tags.support[v].slides() && !growth_->on_rim(v);
@@ -84,7 +81,7 @@ SideId PatchStrands::pass(SideId in, Stop& stop) {
   if (is_new) {
     node = static_cast<std::uint32_t>(nodes_.size());
     nodes_.push_back({v, kNone, kNone});
-    arms_.push_back({*arms_of(*mesh_, stars_->tags(), v), 0});
+    arms_.push_back({stars_->arms(*mesh_, v), 0});
     ++inner_;
   }
   const auto here = static_cast<std::uint32_t>(stops_.size());
@@ -92,20 +89,20 @@ SideId PatchStrands::pass(SideId in, Stop& stop) {
   stop.node = node;
   auto& [arms, walked] = arms_[node];
   int came = 0;
-  while (mesh_->target(arms.sides[static_cast<std::size_t>(came)]) != mesh_->origin(in)) ++came;
-  stop.slot = arms.slots[static_cast<std::size_t>(came)];
+  while (mesh_->target(arms.side(came)) != mesh_->origin(in)) ++came;
+  stop.slot = static_cast<std::uint8_t>(arms.slot(came));
   walked = static_cast<std::uint8_t>(walked | 1U << came);
-  for (int i = 0; i < arms.count; ++i) {
+  for (int i = 0; i < arms.count(); ++i) {
     if (!arms.opposite(i, came)) continue;
     walked = static_cast<std::uint8_t>(walked | 1U << i);
-    return arms.sides[static_cast<std::size_t>(i)];
+    return arms.side(i);
   }
   return {};
 }
 
 bool PatchStrands::complete() const {
   for (const Arms& node : arms_)
-    if (node.walked != (1U << node.arms.count) - 1) return false;
+    if (node.walked != (1U << node.arms.count()) - 1) return false;
   std::size_t inner = 0;
   for (const VertexId v : growth_->vertices()) inner += stars_->on_line(v) && !growth_->on_rim(v) ? 1 : 0;
   return inner == inner_;

@@ -12,7 +12,7 @@
 
 #include "engine/mesh/constraint.hpp"
 #include "engine/mesh/mesh.hpp"
-#include "kernels/cleanup/node_arms.hpp"
+#include "kernels/cleanup/node_slots.hpp"
 #include "kernels/cleanup/patch_growth.hpp"
 #include "kernels/cleanup/patch_stars.hpp"
 #include "kernels/local/stamped_map.hpp"
@@ -42,14 +42,11 @@ class PatchStrands {
   };
 
   // Finds them inside a convex patch. False if there is none, or some are no strands. Keeps its memory.
-  bool find(const Mesh& mesh, const PatchStars& stars, const PieceFinder& pieces, const PatchGrowth& growth,
+  bool find(const Mesh& mesh, const PatchStars& stars, const PatchGrowth& growth,
             std::span<const VertexId> rim);
 
   [[nodiscard]] std::span<const Strand> strands() const { return strands_; }
   [[nodiscard]] std::span<const Stop> stops() const { return stops_; }
-  [[nodiscard]] std::span<const Stop> stops(const Strand& strand) const {
-    return std::span(stops_).subspan(strand.begin, strand.end - strand.begin);
-  }
   [[nodiscard]] std::span<const Node> nodes() const { return nodes_; }
 
  private:
@@ -65,7 +62,6 @@ class PatchStrands {
 
   const Mesh* mesh_ = nullptr;
   const PatchStars* stars_ = nullptr;
-  const PieceFinder* pieces_ = nullptr;
   const PatchGrowth* growth_ = nullptr;
   std::span<const VertexId> rim_;
   std::vector<Strand> strands_;

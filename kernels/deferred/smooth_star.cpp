@@ -57,11 +57,12 @@ bool smooth_vertex(MeshEditor& editor, const State& state, VertexId v, Link& lin
 }  // namespace
 
 void smooth_star(MeshEditor& editor, const State& state, VertexId v) {
-  std::vector<VertexId> vertices{v};
+  thread_local std::vector<VertexId> vertices;
+  thread_local Link link;
+  vertices.assign(1, v);
   for_each_link_vertex(editor.mesh(), v, [&](VertexId u) {
     if (!editor.mesh().on_boundary(u)) vertices.push_back(u);
   });
-  Link link;
   for (std::uint32_t sweep = 0; sweep < state.options.sweeps; ++sweep) {
     bool moved = false;
     for (const VertexId u : vertices) moved = smooth_vertex(editor, state, u, link) || moved;

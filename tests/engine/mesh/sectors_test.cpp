@@ -223,29 +223,50 @@ TEST(SewPieces, JoinsTheEdgesBetweenSlidingVerticesAlone) {
   EXPECT_EQ(corners_of(made.mesh), corners_of(lattice_of_six().mesh));
 }
 
+// The nodes at the other ends of constrained edges at v.
+std::vector<VertexId> joined_nodes(const test::SyntheticMesh& made, VertexId v) {
+  std::vector<VertexId> nodes;
+  for_each_constrained_neighbour(made.mesh, made.tags, v, [&](VertexId w) {
+    if (!made.tags.support[w].slides()) nodes.push_back(w);
+  });
+  return nodes;
+}
+
 TEST(SewPieces, LeavesWhatSewMakesWhole) {
+  int tips = 0, inside = 0;
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     test::SyntheticMesh made = test::make_synthetic({.columns = 24, .rows = 20, .seed = seed});
     const auto corners = corners_of(made.mesh);
     const auto neighbours = neighbours_of(made.mesh);
-    // Every third node that has no edge to another one is in one piece.
-    std::vector<std::uint8_t> nodes(made.mesh.vertex_slots(), 0);
-    for (std::uint32_t v = 0; v < nodes.size(); v += 3) {
-      bool apart = made.tags.support[VertexId(v)].is_node() && !made.mesh.on_boundary(VertexId(v));
-      for_each_constrained_neighbour(made.mesh, made.tags, VertexId(v),
-                                     [&](VertexId w) { apart = apart && made.tags.support[w].slides(); });
-      nodes[v] = apart ? 1 : 0;
+    // In one piece is each inner node with a sliding neighbour and at most one that is a node.
+    std::vector<std::uint8_t> nodes(made.mesh.vertex_slots(), 0), open(nodes.size(), 0);
+    for (std::uint32_t i = 0; i < nodes.size(); ++i) {
+      const VertexId v(i);
+      std::size_t lines = 0;
+      for_each_constrained_neighbour(made.mesh, made.tags, v, [&](VertexId) { ++lines; });
+      const std::size_t others = joined_nodes(made, v).size();
+      const bool inner = made.tags.support[v].is_node() && !made.mesh.on_boundary(v);
+      nodes[i] = inner && lines > others && others <= 1 ? 1 : 0;
     }
+    // It is the tip of a slit if that one is not.
+    for (std::uint32_t i = 0; i < nodes.size(); ++i)
+      for (const VertexId w : joined_nodes(made, VertexId(i)))
+        open[i] = nodes[i] != 0 && nodes[w.value()] == 0 ? 1 : 0;
     cut_open(made.mesh, made.tags);
     sew_pieces(made.mesh, made.tags, nodes);
     EXPECT_EQ(validate(made.mesh, GeometryCheck::kNone), "");
-    for (std::uint32_t v = 0; v < nodes.size(); ++v)
-      EXPECT_TRUE(nodes[v] == 0 || !made.mesh.on_boundary(VertexId(v)));
+    for (std::uint32_t i = 0; i < nodes.size(); ++i) {
+      if (nodes[i] == 0) continue;
+      EXPECT_EQ(made.mesh.on_boundary(VertexId(i)), open[i] != 0) << "vertex " << i;
+      ++(open[i] != 0 ? tips : inside);
+    }
     sew(made.mesh, made.tags);
     EXPECT_EQ(corners_of(made.mesh), corners);
     EXPECT_EQ(neighbours_of(made.mesh), neighbours);
   }
+  EXPECT_GT(tips, 0);
+  EXPECT_GT(inside, 10);
 }
 
 TEST(CutOpen, GivesTheSameMeshOnAnyNumberOfThreads) {
