@@ -139,8 +139,9 @@ def table_patches(cleanup, times):
               "search s", "commit s"]
     body = []
     for each in cleanup["patches"]:
-        took = times[f"patches of {each['largest']}"]
-        body.append([thousands(each["largest"]), thousands(each["seeds"]), thousands(each["searches"]),
+        lines = " over lines" if each["over_lines"] else ""
+        took = times[f"patches of {each['largest']}{lines}"]
+        body.append([thousands(each["largest"]) + lines, thousands(each["seeds"]), thousands(each["searches"]),
                      thousands(each["convex_stages"]), thousands(sum(each["tried"].values())),
                      thousands(sum(each["won"].values())), named_counts(each["won"]), named_counts(each["rejected"]),
                      f"{took['search']:.3f}", f"{took['commit']:.3f}"])
