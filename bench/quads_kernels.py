@@ -2,7 +2,8 @@
 
 # (about how many quads, level, seeds)
 DISKS = ((5000, "full", (1, 2, 3, 4, 5)), (10000, "full", (1, 2, 3)), (50000, "full", (1, 2)), (500000, "full", (1,)),
-         (5000, "fewest", (1, 2, 3, 4, 5)), (10000, "fewest", (1, 2, 3, 4, 5)), (50000, "fewest", (1, 2)), (500000, "fewest", (1,)))
+         (5000, "fewest", (1, 2, 3, 4, 5)), (10000, "fewest", (1, 2, 3, 4, 5)), (50000, "fewest", (1, 2)),
+         (500000, "fewest", (1,)))
 QUICK_DISKS = ((5000, "full", (1, 2)), (5000, "fewest", (1, 2)))
 DOMAINS = ("square", "annulus", "l-shape")
 # Of boundary points, in terms of the triangles' spacing. A triangle of edge 1 makes three quads as large as squares of

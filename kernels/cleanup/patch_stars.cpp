@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
+#include <optional>
 #include <utility>
 
 #include "engine/parallel/parallel.hpp"
@@ -23,7 +25,7 @@ void PatchStars::update(const Mesh& mesh, VertexId v) {
   if (mesh.alive(v)) {
     star.ideal = ideal_[v];
     int faces = 0;
-    const bool joins = tags_.support[v].slides() || tags_.support[v].is_node();
+    const bool joins = slots_ != nullptr && (tags_.support[v].slides() || tags_.support[v].is_node());
     for_each_side_around(mesh, v, [&](SideId s) {
       ++faces;
       if (joins && tags_.constrained(s) && mesh.neighbour(s).valid()) star.flags |= kLine;
@@ -42,6 +44,12 @@ void PatchStars::update(const Mesh& mesh, VertexId v) {
 double PatchStars::energy(const Mesh& mesh, VertexId v, int faces) const {
   const int weight = valence_energy(faces, ideal(v));
   return price_ && weight != 0 ? weight * price_(mesh.point3(v)) : weight;
+}
+
+NodeArms PatchStars::arms(const Mesh& mesh, VertexId v) const {
+  const std::optional<NodeArms> arms = slots_->arms_of(mesh, tags_, v);
+  assert(arms);
+  return *arms;
 }
 
 double PatchStars::energy(const Mesh& mesh, VertexId v) const {

@@ -33,10 +33,6 @@ class PatchStars {
   // On a line that is not cut open on both sides of this vertex: it slides along it, or is a node that a
   // regular vertex can hold.
   [[nodiscard]] bool on_line(VertexId v) const { return (stars_[v.value()].flags & kLine) != 0; }
-  // Whether a side lies on a line that is not cut open there.
-  [[nodiscard]] bool is_line(const Mesh& mesh, SideId s) const {
-    return tags_.constrained(s) && mesh.neighbour(s).valid();
-  }
   // Inside and free to move.
   [[nodiscard]] bool movable(VertexId v) const {
     return (stars_[v.value()].flags & (kBoundary | kPinned | kLine)) == 0;
@@ -47,8 +43,8 @@ class PatchStars {
     return star.faces != star.ideal && star.faces != 0 && (star.flags & kTriangle) == 0;
   }
   [[nodiscard]] const ConstraintTags& tags() const { return tags_; }
-  // The lines around a vertex on lines.
-  [[nodiscard]] NodeArms arms(const Mesh& mesh, VertexId v) const { return *slots_->arms_of(mesh, tags_, v); }
+  // The lines around a vertex that is on_line().
+  [[nodiscard]] NodeArms arms(const Mesh& mesh, VertexId v) const;
   [[nodiscard]] const PieceFinder& pieces() const { return slots_->pieces(); }
   [[nodiscard]] bool has_price() const { return static_cast<bool>(price_); }
   [[nodiscard]] double price_at(Vec3 p) const { return price_ ? price_(p) : 1.0; }
