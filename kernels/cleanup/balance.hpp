@@ -1,34 +1,31 @@
-// What no operation of clean-up may change, for debug builds to assert.
+// What no operation of clean-up may change, for debug builds to assert: the balance of the mesh, its
+// boundary, and that faces are valid on the model.
 #pragma once
 
 #include <cstdint>
 #include <string>
 
 #include "engine/geometry/model.hpp"
-#include "engine/mesh/mesh.hpp"
+#include "engine/mesh/balance.hpp"
 
 namespace quarry {
 
-struct MeshBalance {
-  // Sum over inner vertices of 4 - faces, and over boundary vertices of 2 - faces, plus triangles: four times
-  // the Euler characteristic (Gauss-Bonnet).
-  std::int64_t charge = 0;
-  std::uint64_t boundary_sides = 0;
-  std::uint64_t triangles = 0;      // as odd as the boundary sides
+struct ModelBalance {
+  MeshBalance mesh;
   std::uint64_t invalid_faces = 0;  // with a corner that does not turn left
 };
 
 template <GeometryModel Model>
-[[nodiscard]] MeshBalance balance_of(const Mesh& mesh, const Model& model);
+[[nodiscard]] ModelBalance balance_of(const Mesh& mesh, const Model& model);
 
-// Empty if the mesh is whole and the balance is kept since `before`, with no more invalid faces; else one
-// sentence.
+// Empty if the mesh is whole and the balance is kept since `before`, with as many boundary sides and no more
+// invalid faces; else one sentence.
 template <GeometryModel Model>
-[[nodiscard]] std::string find_imbalance(const Mesh& mesh, const Model& model, const MeshBalance& before);
+[[nodiscard]] std::string find_imbalance(const Mesh& mesh, const Model& model, const ModelBalance& before);
 
-extern template MeshBalance balance_of(const Mesh&, const PlaneModel&);
-extern template MeshBalance balance_of(const Mesh&, const SpaceModel&);
-extern template std::string find_imbalance(const Mesh&, const PlaneModel&, const MeshBalance&);
-extern template std::string find_imbalance(const Mesh&, const SpaceModel&, const MeshBalance&);
+extern template ModelBalance balance_of(const Mesh&, const PlaneModel&);
+extern template ModelBalance balance_of(const Mesh&, const SpaceModel&);
+extern template std::string find_imbalance(const Mesh&, const PlaneModel&, const ModelBalance&);
+extern template std::string find_imbalance(const Mesh&, const SpaceModel&, const ModelBalance&);
 
 }  // namespace quarry

@@ -145,7 +145,7 @@ class LocalCleanup {
   std::size_t at_ = 0;
   Claims claims_;
 #ifndef NDEBUG
-  MeshBalance balance_;
+  ModelBalance balance_;
 #endif
 };
 

@@ -122,7 +122,7 @@ class PatchRemesher {
   ScratchPool<PatchSearch> searches_;
   PatchReport report_;
 #ifndef NDEBUG
-  MeshBalance balance_;
+  ModelBalance balance_;
 #endif
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -10,6 +11,7 @@
 #include "engine/geometry/segment.hpp"
 #include "engine/parallel/parallel.hpp"
 #include "engine/parallel/sort.hpp"
+#include "kernels/matching/t_join.hpp"
 
 namespace quarry {
 namespace {
@@ -68,32 +70,26 @@ class RegionGraph {
               const MayHalveOuter& may_halve_outer)
       : mesh_(mesh), tags_(tags), regions_(regions), may_halve_outer_(may_halve_outer) {
     find_interfaces();
-    index_interfaces();
   }
 
-  // The interfaces to halve: parity is moved along the tree of shortest ways, from the far end on.
+  // The interfaces to halve: the fewest, and of so many the longest.
   std::vector<SideId> join() {
     std::vector<std::uint8_t> odd = regions_.odd;
     odd.push_back(0);
-    const std::vector<Region> order = breadth_first();
+    const matching::TJoin found = matching::cheap_t_join({odd, edges(), outside()});
+    if (found.stuck != matching::TJoin::kNone) throw_odd(found.stuck);
     std::vector<SideId> chosen;
-    for (std::size_t i = order.size(); i-- > 0;) {
-      const Region r = order[i];
-      if (r == outside() || odd[r] == 0) continue;
-      if (through_[r] == kNone) throw_odd(r);
-      const Interface& way = interfaces_[through_[r]];
-      chosen.push_back(way.side);
-      odd[way.a == r ? way.b : way.a] ^= 1U;
-    }
+    for (const std::uint32_t i : found.edges) chosen.push_back(interfaces_[i].side);
     std::sort(chosen.begin(), chosen.end());
     return chosen;
   }
 
  private:
-  static constexpr std::uint32_t kNone = ~std::uint32_t{0};
+  // What one edge to halve costs; and one that cannot be halved, in such edges: ways around it may be long.
+  static constexpr std::int64_t kSplit = std::int64_t{1} << 36;
+  static constexpr std::int64_t kBarrier = std::int64_t{1} << 12;
 
   [[nodiscard]] Region outside() const { return static_cast<Region>(regions_.face.size()); }
-  [[nodiscard]] std::size_t node_count() const { return regions_.face.size() + 1; }
 
   [[nodiscard]] bool is_candidate(SideId s) const {
     if (!mesh_.alive(s.face()) || s.index() == 3) return false;
@@ -156,44 +152,20 @@ class RegionGraph {
     }
   }
 
-  // The interfaces of each region in compressed rows, in the order of the regions beyond.
-  void index_interfaces() {
-    begin_.assign(node_count() + 1, 0);
-    for (const Interface& way : interfaces_)
-      for (const Region r : {way.a, way.b}) ++begin_[r + 1];
-    for (std::size_t i = 1; i < begin_.size(); ++i) begin_[i] += begin_[i - 1];
-    at_.resize(2 * interfaces_.size());
-    std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
-    for (std::uint32_t i = 0; i < interfaces_.size(); ++i)
-      for (const Region r : {interfaces_[i].a, interfaces_[i].b}) at_[next[r]++] = i;
-  }
-
-  // Regions by their distance from the outside, then the parts that do not reach it, each from its first
-  // region on. Sets through which interface each was reached.
-  std::vector<Region> breadth_first() {
-    through_.assign(node_count(), kNone);
-    std::vector<std::uint8_t> seen(node_count(), 0);
-    std::vector<Region> order;
-    const auto visit_from = [&](Region start) {
-      if (seen[start] != 0) return;
-      seen[start] = 1;
-      std::size_t at = order.size();
-      order.push_back(start);
-      for (; at < order.size(); ++at) {
-        const Region r = order[at];
-        for (std::uint32_t i = begin_[r]; i < begin_[r + 1]; ++i) {
-          const Interface& way = interfaces_[at_[i]];
-          const Region other = way.a == r ? way.b : way.a;
-          if (seen[other] != 0) continue;
-          seen[other] = 1;
-          through_[other] = at_[i];
-          order.push_back(other);
-        }
-      }
-    };
-    visit_from(outside());
-    for (Region r = 0; r < outside(); ++r) visit_from(r);
-    return order;
+  // Among as few edges the longest, and none that leaves a leaf: what speaks against all of them together is
+  // less than one more edge.
+  [[nodiscard]] std::vector<matching::JoinEdge> edges() const {
+    double longest = 0;
+    for (const Interface& way : interfaces_) longest = std::max(longest, squared_length_of(mesh_, way.side));
+    const double share = static_cast<double>(kSplit) / (2.0 * static_cast<double>(interfaces_.size() + 1));
+    std::vector<matching::JoinEdge> edges;
+    for (const Interface& way : interfaces_) {
+      const int against = reluctance(way.side);
+      const double shortness = 1 - std::sqrt(squared_length_of(mesh_, way.side) / longest);
+      const auto tie = static_cast<std::int64_t>(share * (shortness + (against > 0 ? 1 : 0)));
+      edges.push_back({way.a, way.b, (against == 2 ? kBarrier : 1) * kSplit + tie});
+    }
+    return edges;
   }
 
   // Everything that hangs together with the region, whatever lies between.
@@ -232,8 +204,6 @@ class RegionGraph {
   const Regions& regions_;
   const MayHalveOuter& may_halve_outer_;
   std::vector<Interface> interfaces_;  // by regions
-  std::vector<std::uint32_t> begin_, at_;
-  std::vector<std::uint32_t> through_;
 };
 
 Support support_of_middle(const Mesh& mesh, ConstraintTags tags, const PieceFinder& finder, SideId s) {

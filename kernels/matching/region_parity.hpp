@@ -1,7 +1,7 @@
 // Makes every region of a constrained triangle mesh even, so that its triangles can be merged into quads
 // without crossing a constraint. Halving an edge between two regions changes the parity of both, halving an
 // outer edge that of one: the edges to halve are a T-join of the odd regions in the graph of regions, with
-// the outside as a node where outer edges may be halved.
+// the outside as a node where outer edges may be halved (kernels/matching/t_join).
 #pragma once
 
 #include <cstdint>
@@ -28,10 +28,9 @@ using MayHalveOuter = std::function<bool(SideId)>;
 
 // One side of each edge to halve, ascending. In the plane and in space. root: the face that stands for the
 // region of each face (see SpanningForest). Between two regions the longest edge is taken among those whose
-// halves are valid and that leave no triangle with two constrained sides; the tree along which parity is
-// moved is that of the shortest ways to the outside. Throws Error(kGeometry) that names a place of the
-// component, the number of its boundary sides and the remedy, if none of its outer edges may be halved and a
-// component is odd.
+// halves are valid and that leave no triangle with two constrained sides; in all as few edges as cheap_t_join
+// finds, and of as few the longest. Throws Error(kGeometry) that names a place of the component, the number of
+// its boundary sides and the remedy, if none of its outer edges may be halved and a component is odd.
 [[nodiscard]] std::vector<SideId> edges_to_halve(const Mesh& mesh, ConstraintTags tags,
                                                  const IdVector<FaceId, FaceId>& root,
                                                  const MayHalveOuter& may_halve_outer, ParityReport& report);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/base/stopwatch.hpp"
+#include "engine/mesh/balance.hpp"
 #include "engine/mesh/compact.hpp"
 #include "engine/mesh/sectors.hpp"
 #include "kernels/cleanup/ideal.hpp"
@@ -52,10 +53,12 @@ class SurfaceQuads {
 
  private:
   void make_quads() {
+    const BalanceGuard balance(mesh_);
     if (options_.matching)
       mesh_ = match_triangles(std::move(mesh_), network_, *options_.matching, report_.matching, progress_);
     else
       pair_and_halve();
+    balance.check("making quads", mesh_, GeometryCheck::kNone);
     place_on_surface(mesh_, ConstraintTags::of(mesh_), model_, network_, progress_);
     compact(mesh_, EntityOrder::kHilbert);
     mend();

@@ -61,7 +61,7 @@ TYPED_TEST_SUITE(LocalOperator, Operators);
 template <class Operator>
 std::uint64_t expect_kept(Mesh mesh) {
   const LocalTags tags = count_tags(mesh);
-  const MeshBalance balance = balance_of(mesh, PlaneModel());
+  const ModelBalance balance = balance_of(mesh, PlaneModel());
   const auto boundary = test::boundary_of(mesh);
   const int energy = energy_of(mesh, tags);
   reset_claim_violations();

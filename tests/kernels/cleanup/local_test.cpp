@@ -22,7 +22,7 @@ LocalCleanupReport clean_up(Mesh& mesh, bool reverse = false) {
 }
 
 void expect_clean(Mesh mesh) {
-  const MeshBalance balance = balance_of(mesh, PlaneModel());
+  const ModelBalance balance = balance_of(mesh, PlaneModel());
   const auto boundary = test::boundary_of(mesh);
   reset_claim_violations();
   const LocalCleanupReport report = clean_up(mesh);
@@ -100,6 +100,7 @@ std::size_t count_left(double price_left, double price_right) {
   constexpr Vec2 kMiddle{6700000.0, 500000.0};
   std::size_t count = 0;
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
     Mesh mesh = test::open_split_disk(2000, seed);
     const IrregularPrice price = [&](Vec3 p) { return p.x < kMiddle.x ? price_left : price_right; };
     reset_claim_violations();

@@ -91,7 +91,7 @@ void expect_covered(const std::map<std::uint32_t, double>& now,
 TEST(PatchesOverLines, KeepEveryLineCoveredAndLowerTheEnergy) {
   std::uint64_t won = 0;
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
     test::SyntheticMesh given = cut_lines(seed, seed % 2 == 0 ? 3 : 0);
     Mesh& mesh = given.mesh;
     sew(mesh, given.tags);
@@ -116,6 +116,7 @@ TEST(PatchesOverLines, KeepEveryLineCoveredAndLowerTheEnergy) {
 TEST(PatchesOverLines, WinMoreWhereNodesGoAlong) {
   std::uint64_t with = 0, without = 0;
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
     for (const bool nodes : {true, false}) {
       test::SyntheticMesh given = cut_lines(seed);
       sew(given.mesh, given.tags);
@@ -300,6 +301,7 @@ TEST(PatchesOverLines, AreTheSameOnAnyNumberOfThreads) {
 TEST(PatchesOverLines, StayInsideTheirClaims) {
   reset_claim_violations();
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
     test::SyntheticMesh given = cut_lines(seed);
     sew(given.mesh, given.tags);
     remesh_over_lines(given.mesh, given.lines, 128);

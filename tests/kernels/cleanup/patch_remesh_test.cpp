@@ -203,6 +203,7 @@ TEST(RemeshPatches, KeepsTriangles) {
 std::size_t count_left(const IrregularPrice& price) {
   std::size_t count = 0;
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
     Mesh mesh = test::disk_of_quads(1500, seed);
     PatchOptions options;
     options.price = price;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -25,27 +24,9 @@
 namespace quarry {
 namespace {
 
-using Ends = std::set<std::pair<VertexId, VertexId>>;
-
-Ends boundary_of(const Mesh& mesh) {
-  Ends ends;
-  for (const FaceId f : mesh.faces())
-    if (mesh.alive(f))
-      for (int k = 0; k < mesh.corner_count(f); ++k)
-        if (const SideId s(f, k); !mesh.neighbour(s).valid()) ends.emplace(mesh.origin(s), mesh.target(s));
-  return ends;
-}
-
-Ends constraints_of(const Mesh& mesh) {
-  const ConstraintTags tags = ConstraintTags::of(mesh);
-  Ends ends;
-  for (const FaceId f : mesh.faces())
-    if (mesh.alive(f))
-      for (int k = 0; k < mesh.corner_count(f); ++k)
-        if (const SideId s(f, k); tags.constrained(s))
-          ends.insert(std::minmax(mesh.origin(s), mesh.target(s)));
-  return ends;
-}
+using test::boundary_of;
+using test::constraints_of;
+using test::Ends;
 
 double area_of(const Mesh& mesh) {
   double doubled = 0;
@@ -314,6 +295,8 @@ TEST(Matching, NamesTheComponentWhoseFrozenBoundaryIsOdd) {
     EXPECT_EQ(error.kind(), ErrorKind::kGeometry);
     EXPECT_NE(error.message().find("15 sides"), std::string::npos) << error.message();
     EXPECT_NE(error.message().find("(1"), std::string::npos) << error.message();
+    EXPECT_NE(error.message().find("add or remove one vertex"), std::string::npos) << error.message();
+    EXPECT_NE(error.message().find("no --keep-boundary"), std::string::npos) << error.message();
   }
 }
 

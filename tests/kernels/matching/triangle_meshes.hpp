@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -13,6 +14,29 @@
 #include "kernels/initial/delaunay.hpp"
 
 namespace quarry::test {
+
+// Edges by their ends: directed on the boundary, from the smaller end on constraints.
+using Ends = std::set<std::pair<VertexId, VertexId>>;
+
+inline Ends boundary_of(const Mesh& mesh) {
+  Ends ends;
+  for (const FaceId f : mesh.faces())
+    if (mesh.alive(f))
+      for (int k = 0; k < mesh.corner_count(f); ++k)
+        if (const SideId s(f, k); !mesh.neighbour(s).valid()) ends.emplace(mesh.origin(s), mesh.target(s));
+  return ends;
+}
+
+inline Ends constraints_of(const Mesh& mesh) {
+  const ConstraintTags tags = ConstraintTags::of(mesh);
+  Ends ends;
+  for (const FaceId f : mesh.faces())
+    if (mesh.alive(f))
+      for (int k = 0; k < mesh.corner_count(f); ++k)
+        if (const SideId s(f, k); tags.constrained(s))
+          ends.insert(std::minmax(mesh.origin(s), mesh.target(s)));
+  return ends;
+}
 
 inline Mesh with_fixed_rim(Mesh mesh) {
   auto tags = ConstraintTags::add_to(mesh);

@@ -1,0 +1,314 @@
+#include "kernels/matching/t_join.hpp"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <utility>
+
+namespace quarry::matching {
+namespace {
+
+using Node = std::uint32_t;
+using Cost = std::int64_t;
+
+constexpr Node kNone = TJoin::kNone;
+constexpr Cost kFar = std::numeric_limits<Cost>::max();
+
+// The edges of each node in compressed rows.
+class JoinGraph {
+ public:
+  explicit JoinGraph(const JoinProblem& problem) : edges_(problem.edges), begin_(problem.odd.size() + 1, 0) {
+    for (const JoinEdge& edge : edges_)
+      for (const Node r : {edge.a, edge.b}) ++begin_[r + 1];
+    for (std::size_t i = 1; i < begin_.size(); ++i) begin_[i] += begin_[i - 1];
+    at_.resize(2 * edges_.size());
+    std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
+    for (std::uint32_t i = 0; i < edges_.size(); ++i)
+      for (const Node r : {edges_[i].a, edges_[i].b}) at_[next[r]++] = i;
+  }
+
+  [[nodiscard]] std::size_t size() const { return begin_.size() - 1; }
+  [[nodiscard]] std::span<const std::uint32_t> edges_at(Node r) const {
+    return std::span(at_).subspan(begin_[r], begin_[r + 1] - begin_[r]);
+  }
+  [[nodiscard]] Node across(std::uint32_t edge, Node r) const {
+    return edges_[edge].a == r ? edges_[edge].b : edges_[edge].a;
+  }
+  [[nodiscard]] Cost cost(std::uint32_t edge) const { return edges_[edge].cost; }
+
+ private:
+  std::span<const JoinEdge> edges_;
+  std::vector<std::uint32_t> begin_, at_;
+};
+
+// The cheapest ways from one node, by Dijkstra's algorithm, as far as they are wanted.
+class CheapestWays {
+ public:
+  explicit CheapestWays(const JoinGraph& graph)
+      : graph_(graph), cost_(graph.size(), kFar), through_(graph.size(), kNone) {}
+
+  // Calls enough(node, cost) for one node after the other, by cost and then by number, until it says so.
+  // With forget = false, what was reached before stays as it is: the next tree of a forest.
+  template <class Enough>
+  void find_from(Node start, const Enough& enough, bool forget = true) {
+    if (forget) {
+      for (const Node r : touched_) cost_[r] = kFar;
+      touched_.clear();
+    }
+    Queue queue;
+    reach(queue, start, 0, kNone);
+    while (!queue.empty()) {
+      const auto [cost, r] = queue.top();
+      queue.pop();
+      if (cost > cost_[r]) continue;
+      if (enough(r, cost)) return;
+      for (const std::uint32_t edge : graph_.edges_at(r))
+        if (const Node to = graph_.across(edge, r); cost + graph_.cost(edge) < cost_[to])
+          reach(queue, to, cost + graph_.cost(edge), edge);
+    }
+  }
+
+  [[nodiscard]] bool reached(Node r) const { return cost_[r] != kFar; }
+  [[nodiscard]] Cost cost(Node r) const { return cost_[r]; }
+  // The edge through which a node was reached; none at the start.
+  [[nodiscard]] std::uint32_t through(Node r) const { return through_[r]; }
+  // Puts the edges of the way to a node in, or takes them out.
+  void toggle_way(Node r, std::vector<std::uint8_t>& chosen) const {
+    for (; through_[r] != kNone; r = graph_.across(through_[r], r)) chosen[through_[r]] ^= 1U;
+  }
+
+ private:
+  using Queue =
+      std::priority_queue<std::pair<Cost, Node>, std::vector<std::pair<Cost, Node>>, std::greater<>>;
+
+  void reach(Queue& queue, Node r, Cost cost, std::uint32_t edge) {
+    if (cost_[r] == kFar) touched_.push_back(r);
+    cost_[r] = cost;
+    through_[r] = edge;
+    queue.emplace(cost, r);
+  }
+
+  const JoinGraph& graph_;
+  std::vector<Cost> cost_;
+  std::vector<std::uint32_t> through_;
+  std::vector<Node> touched_;
+};
+
+// Which odd nodes are joined, and what their ways cost. The partner `free` may have many.
+struct Pairs {
+  std::vector<Node> partner;
+  std::vector<Cost> cost;
+
+  void join(Node a, Node b, Node free, Cost of_way) {
+    partner[a] = b;
+    cost[a] = of_way;
+    if (b == free) return;
+    partner[b] = a;
+    cost[b] = of_way;
+  }
+};
+
+// Exchanges partners along chains: a pair is parted, one of the two joined to an odd node nearby, whose
+// partner is joined to the next, until the last one is joined to the other of the first pair. What is parted
+// has cost more than what is joined.
+class PairExchange {
+ public:
+  struct Near {
+    Node node;
+    Cost cost;
+  };
+
+  PairExchange(const JoinProblem& problem, const JoinGraph& graph, const CheapestWays& from_free,
+               Pairs& pairs)
+      : free_(problem.free),
+        from_free_(from_free),
+        pairs_(pairs),
+        near_(graph.size()),
+        parted_(graph.size()) {
+    CheapestWays ways(graph);
+    for (Node r = 0; r < graph.size(); ++r) {
+      if (problem.odd[r] == 0) continue;
+      odd_.push_back(r);
+      ways.find_from(r, [&](Node to, Cost cost) {
+        if (to != r && problem.odd[to] != 0) near_[r].push_back({to, cost});
+        return near_[r].size() == kBreadth.front();
+      });
+    }
+  }
+
+  void run() {
+    for (const Node r : odd_) credit_ = std::max(credit_, pairs_.cost[r]);
+    for (bool better = true; better;) {
+      better = false;
+      for (const Node r : odd_) better |= improve_from(r);
+    }
+  }
+
+ private:
+  // How many neighbours are tried at each step of a chain.
+  static constexpr std::array<std::size_t, 6> kBreadth = {12, 8, 5, 3, 2, 1};
+
+  struct Joined {
+    Node a, b;
+    Cost cost;
+  };
+
+  bool improve_from(Node r) {
+    const Node partner = pairs_.partner[r];
+    chain_.clear();
+    part(r, true);
+    const bool better =
+        partner == free_ ? grow(r, free_, pairs_.cost[r], 0) : grow(partner, r, pairs_.cost[r], 0);
+    part(r, false);
+    if (!better) return false;
+    for (const Joined& joined : chain_) part(joined.a, false);
+    for (const auto& [a, b, cost] : chain_) pairs_.join(a, b, free_, cost);
+    return true;
+  }
+
+  // Both ends of a chain are to be joined to something; `waiting` may be the free node, and then needs not.
+  // Of a ring of pairs, one can be parted first such that the gain never falls to nothing on the way round.
+  // Of a chain between two ways to the free node, grown from its middle to both ends, that is not so: its
+  // second half may be in debt before it ends.
+  bool grow(Node loose, Node waiting, Cost gain, std::size_t step) {
+    if (close(loose, waiting, gain, step)) return true;
+    if (step == kBreadth.size()) return false;
+    const Cost most = waiting == free_ ? gain + credit_ : gain;
+    std::size_t tried = 0;
+    for (const auto& [to, cost] : near_[loose]) {
+      if (cost >= most || tried == kBreadth[step]) return false;
+      if (parted_[to] != 0) continue;
+      ++tried;
+      const Cost left = gain - cost + pairs_.cost[to];
+      const Node next = pairs_.partner[to];
+      part(to, true);
+      chain_.push_back({loose, to, cost});
+      if (next == free_ && waiting == free_ ? left > 0
+          : next == free_                   ? grow(waiting, free_, left, step + 1)
+                                            : grow(next, waiting, left, step + 1))
+        return true;
+      chain_.pop_back();
+      part(to, false);
+    }
+    return false;
+  }
+
+  bool close(Node loose, Node waiting, Cost gain, std::size_t step) {
+    const Cost to_free = from_free_.reached(loose) ? from_free_.cost(loose) : kFar;
+    if (waiting != free_) {
+      const auto found = std::find_if(near_[loose].begin(), near_[loose].end(),
+                                      [&](const Near& near) { return near.node == waiting; });
+      if (found != near_[loose].end() && found->cost < gain) {
+        chain_.push_back({loose, waiting, found->cost});
+        return true;
+      }
+    }
+    if (to_free >= gain) return false;
+    chain_.push_back({loose, free_, to_free});
+    if (waiting == free_ || grow(waiting, free_, gain - to_free, step)) return true;
+    chain_.pop_back();
+    return false;
+  }
+
+  void part(Node r, bool parted) {
+    parted_[r] = parted ? 1 : 0;
+    if (pairs_.partner[r] != free_) parted_[pairs_.partner[r]] = parted_[r];
+  }
+
+  Node free_;
+  Cost credit_ = 0;  // what the dearest pair costs
+  const CheapestWays& from_free_;
+  Pairs& pairs_;
+  std::vector<std::vector<Near>> near_;  // of odd nodes: others nearby, by cost
+  std::vector<std::uint8_t> parted_;
+  std::vector<Node> odd_;
+  std::vector<Joined> chain_;
+};
+
+class JoinFinder {
+ public:
+  explicit JoinFinder(const JoinProblem& problem)
+      : problem_(problem), graph_(problem), forest_(graph_), from_free_(graph_) {}
+
+  TJoin run() {
+    grow_forest();
+    TJoin join;
+    join.stuck = pair_along_forest();
+    if (join.stuck != kNone) return join;
+    from_free_.find_from(problem_.free, [](Node, Cost) { return false; });
+    PairExchange(problem_, graph_, from_free_, pairs_).run();
+    join.edges = edges_of_ways();
+    return join;
+  }
+
+ private:
+  // Trees of cheapest ways: from the free node, and from the first node of each part that does not reach it.
+  void grow_forest() {
+    const auto visit = [&](Node r, Cost) {
+      order_.push_back(r);
+      return false;
+    };
+    forest_.find_from(problem_.free, visit);
+    for (Node r = 0; r < graph_.size(); ++r)
+      if (!forest_.reached(r)) forest_.find_from(r, visit, false);
+  }
+
+  // From the leaves on, odd nodes whose ways up the tree meet are joined. A node that is left without one, or
+  // none.
+  Node pair_along_forest() {
+    pairs_.partner.assign(graph_.size(), kNone);
+    pairs_.cost.assign(graph_.size(), 0);
+    std::vector<Node> coming(graph_.size(), kNone);  // by node: the odd one whose way has come so far
+    const auto come = [&](Node r, Node at) {
+      const Node other = std::exchange(coming[at], coming[at] == kNone ? r : kNone);
+      if (other != kNone)
+        pairs_.join(r, other, problem_.free, forest_.cost(r) + forest_.cost(other) - 2 * forest_.cost(at));
+    };
+    for (auto it = order_.rbegin(); it != order_.rend(); ++it) {
+      const Node at = *it;
+      if (problem_.odd[at] != 0) come(at, at);
+      const Node r = coming[at];
+      if (r == kNone) continue;
+      if (at == problem_.free)
+        pairs_.join(r, at, at, forest_.cost(r));
+      else if (forest_.through(at) == kNone)
+        return r;
+      else
+        come(r, graph_.across(forest_.through(at), at));
+    }
+    return kNone;
+  }
+
+  std::vector<std::uint32_t> edges_of_ways() {
+    std::vector<std::uint8_t> chosen(problem_.edges.size(), 0);
+    CheapestWays ways(graph_);
+    for (Node r = 0; r < graph_.size(); ++r) {
+      if (problem_.odd[r] == 0) continue;
+      const Node to = pairs_.partner[r];
+      if (to == problem_.free) {
+        from_free_.toggle_way(r, chosen);
+      } else if (r < to) {
+        ways.find_from(r, [&](Node reached, Cost) { return reached == to; });
+        ways.toggle_way(to, chosen);
+      }
+    }
+    std::vector<std::uint32_t> edges;
+    for (std::uint32_t i = 0; i < chosen.size(); ++i)
+      if (chosen[i] != 0) edges.push_back(i);
+    return edges;
+  }
+
+  const JoinProblem& problem_;
+  JoinGraph graph_;
+  CheapestWays forest_, from_free_;
+  std::vector<Node> order_;  // as the forest grew
+  Pairs pairs_;
+};
+
+}  // namespace
+
+TJoin cheap_t_join(const JoinProblem& problem) { return JoinFinder(problem).run(); }
+
+}  // namespace quarry::matching
