@@ -2,10 +2,12 @@
 // made of.
 #pragma once
 
+#include <bit>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <optional>
 #include <string_view>
@@ -22,7 +24,39 @@ struct Digits {
   std::uint64_t value;
 };
 
-inline Digits take_digits(const char* at, const char* end, std::uint64_t value) {
+inline constexpr std::uint64_t kTens[] = {1, 10, 100, 1000, 10000, 100000, 1000000, 10000000, 100000000};
+
+// Eight characters at a time: their digits up to the first other character, by arithmetic on all bytes of a
+// word at once (little-endian: the first character is the lowest byte).
+inline int leading_digits(std::uint64_t word) {
+  // Bit 7 of a byte: above '9', or below '0'. What carries and borrows spoil lies above the first such byte.
+  const std::uint64_t others =
+      ((word + 0x4646464646464646U) | (word - 0x3030303030303030U)) & 0x8080808080808080U;
+  return std::countr_zero(others) / 8;
+}
+
+// The number of so many leading digits, at least one: they move to the end of eight, behind zeros, where
+// pairs, then fours, then all are joined.
+inline std::uint64_t value_of_digits(std::uint64_t word, int count) {
+  std::uint64_t digits = (word - 0x3030303030303030U) << (64 - 8 * count);
+  digits = 10 * digits + (digits >> 8);
+  constexpr std::uint64_t kPairs = 0x000000FF000000FFU;
+  return (((digits & kPairs) * (100 + (std::uint64_t{1000000} << 32))) +
+          (((digits >> 16) & kPairs) * (1 + (std::uint64_t{10000} << 32)))) >>
+         32;
+}
+
+[[gnu::always_inline]] inline Digits take_digits(const char* at, const char* end, std::uint64_t value) {
+  if constexpr (std::endian::native == std::endian::little) {
+    while (end - at >= 8) {
+      std::uint64_t word = 0;
+      std::memcpy(&word, at, sizeof(word));
+      const int count = leading_digits(word);
+      if (count > 0) value = kTens[count] * value + value_of_digits(word, count);
+      at += count;
+      if (count < 8) return {at, value};
+    }
+  }
   for (; at != end; ++at) {
     const auto digit = static_cast<std::uint64_t>(static_cast<unsigned char>(*at)) - '0';
     if (digit > 9) break;

@@ -87,6 +87,25 @@ TEST(NumberText, IsTheLibrarysForRandomDoubles) {
   }
 }
 
+// Digits are read eight at a time.
+TEST(NumberText, EndsAtAnyByteAfterAnyNumberOfDigits) {
+  constexpr int kMostDigits = 18;
+  const std::string digits = "987654321012345678";
+  for (int count = 0; count <= kMostDigits; ++count)
+    for (int byte = 0; byte < 256; ++byte) {
+      const auto end = static_cast<char>(byte);
+      std::string text = digits.substr(0, static_cast<std::size_t>(count));
+      text += end;
+      expect_as_library<std::int64_t>(text);
+      text += "12 3/45:6789";
+      expect_as_library<std::int64_t>(text);
+      expect_as_library<double>(text);
+      // Within the eight that begin before a number's end.
+      text.insert(static_cast<std::size_t>(count / 2), 1, end);
+      expect_as_library<std::int64_t>(text);
+    }
+}
+
 TEST(NumberText, IsTheLibrarysForWholeNumbers) {
   for (const char* text :
        {"", "-", "+1", "0", "-0", "007", "12/3", "-12 ", "999999999999999999", "1000000000000000000",
