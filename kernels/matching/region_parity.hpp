@@ -29,8 +29,8 @@ using MayHalveOuter = std::function<bool(SideId)>;
 // One side of each edge to halve, ascending. In the plane and in space. root: the face that stands for the
 // region of each face (see SpanningForest). Between two regions the longest edge is taken among those whose
 // halves are valid and that leave no triangle with two constrained sides; in all as few edges as cheap_t_join
-// finds, and of as few the longest. Throws Error(kGeometry) that names a place of the component, the number of
-// its boundary sides and the remedy, if none of its outer edges may be halved and a component is odd.
+// finds, and of as few the longest. Throws Error(kGeometry) that names a place of the component, the number
+// of its boundary sides and the remedy, if none of its outer edges may be halved and a component is odd.
 [[nodiscard]] std::vector<SideId> edges_to_halve(const Mesh& mesh, ConstraintTags tags,
                                                  const IdVector<FaceId, FaceId>& root,
                                                  const MayHalveOuter& may_halve_outer, ParityReport& report);

@@ -32,7 +32,7 @@ struct TJoin {
 };
 
 // From the pairs that meet along a tree of cheapest ways, exchanges partners along chains of up to six pairs
-// while the sum of costs falls (as Lin & Kernighan 1973 do for tours). On random graphs of up to sixteen nodes
+// while the sum of costs falls (as Lin & Kernighan 1973 do for tours). On random graphs of up to twelve nodes
 // nothing cheaper exists (a test tries all sets of edges); of large ones that is not proved. Of equally cheap
 // ones always the same.
 [[nodiscard]] TJoin cheap_t_join(const JoinProblem& problem);
