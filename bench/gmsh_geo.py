@@ -116,6 +116,7 @@ class Faces:
                       for r in self.rings]
         self.holes = defaultdict(list)
         self.inside = defaultdict(list)
+        self.make_cells(points)
         for _, loop in (r for r in rings if r[0] < 0):
             ring = corners(points, edges, loop)
             own = set(map(abs, loop))
@@ -123,9 +124,25 @@ class Faces:
             if face is not None:
                 self.holes[face].append(loop)
 
+    def make_cells(self, points):
+        """A grid of about as many cells as faces, in each the faces whose box meets it, smallest first."""
+        self.corner = [min(p[i] for p in points) for i in (0, 1)]
+        side = max(max(p[i] for p in points) - self.corner[i] for i in (0, 1))
+        self.step = side / math.ceil(math.sqrt(len(self.rings) + 1))
+        self.in_cell = defaultdict(list)
+        for i, (x0, y0, x1, y1) in enumerate(self.boxes):
+            (c0, r0), (c1, r1) = self.cell(x0, y0), self.cell(x1, y1)
+            for column in range(c0, c1 + 1):
+                for row in range(r0, r1 + 1):
+                    self.in_cell[column, row].append(i)
+
+    def cell(self, x, y):
+        return tuple(math.floor((at - corner) / self.step) for at, corner in zip((x, y), self.corner))
+
     def find(self, x, y, foreign=frozenset()):
         """The smallest face around a point; not one that has an edge among `foreign` (its own other side)."""
-        for i, (x0, y0, x1, y1) in enumerate(self.boxes):
+        for i in self.in_cell.get(self.cell(x, y), ()):
+            x0, y0, x1, y1 = self.boxes[i]
             if x0 <= x <= x1 and y0 <= y <= y1 and holds(self.rings[i], x, y):
                 if not foreign or foreign.isdisjoint(map(abs, self.loops[i])):
                     return i
