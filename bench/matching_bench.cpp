@@ -32,7 +32,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr double kFewestNodes = 2e3;
-constexpr int kAnnealingSweeps = 600;
+constexpr int kAnnealingSweeps = 2400;
 constexpr double kAnnealingSteinerCost = 4;
 
 struct Settings {

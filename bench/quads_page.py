@@ -22,7 +22,7 @@ forest and parity; search: descent over stars, what the default does. Boost: `ed
 ## Steiner points (the paper's table 2)
 
 In % of the nodes. The forest by shapes alone and by short ways, then the search by descent (the default), then with
-600 sweeps of annealing and a cost of 4 for each Steiner point.
+2,400 sweeps of annealing and a cost of 4 for each Steiner point.
 
 {steiner}
 
@@ -100,7 +100,8 @@ Medians of {repeat} runs, threads in turn; what the report says of the stages.
 """
 
 NETWORK = """A network of 1,000 segments drawn by lot in a square of 1000 units, with lengths of a power law in two or
-three directions, four layers, and snapped to a grid of 5 units, meshed at about 25,000, 60,000 and 125,000 quads."""
+three directions, four layers, and snapped to a grid of 5 units, meshed at about 25,000, 60,000 and 125,000 quads.
+`quarry generate fractures --count 180` draws the like."""
 
 
 def page_text(kept, missed):
