@@ -139,7 +139,8 @@ class PairExchange {
   }
 
   void run() {
-    for (const Node r : odd_) credit_ = std::max(credit_, pairs_.cost[r]);
+    for (const Node r : odd_) credit_ += pairs_.cost[r];
+    credit_ = 2 * (credit_ / static_cast<Cost>(odd_.size() + 1));
     for (bool better = true; better;) {
       better = false;
       for (const Node r : odd_) better |= improve_from(r);
@@ -148,7 +149,7 @@ class PairExchange {
 
  private:
   // How many neighbours are tried at each step of a chain.
-  static constexpr std::array<std::size_t, 6> kBreadth = {12, 8, 5, 3, 2, 1};
+  static constexpr std::array<std::size_t, 8> kBreadth = {12, 8, 6, 5, 4, 3, 2, 2};
 
   struct Joined {
     Node a, b;
@@ -163,7 +164,10 @@ class PairExchange {
         partner == free_ ? grow(r, free_, pairs_.cost[r], 0) : grow(partner, r, pairs_.cost[r], 0);
     part(r, false);
     if (!better) return false;
-    for (const Joined& joined : chain_) part(joined.a, false);
+    // With their old partners.
+    for (const auto& [a, b, cost] : chain_)
+      for (const Node end : {a, b})
+        if (end != free_) part(end, false);
     for (const auto& [a, b, cost] : chain_) pairs_.join(a, b, free_, cost);
     return true;
   }
@@ -185,31 +189,41 @@ class PairExchange {
       const Node next = pairs_.partner[to];
       part(to, true);
       chain_.push_back({loose, to, cost});
-      if (next == free_ && waiting == free_ ? left > 0
-          : next == free_                   ? grow(waiting, free_, left, step + 1)
-                                            : grow(next, waiting, left, step + 1))
-        return true;
+      if (goes_on(next, waiting, left, step + 1)) return true;
       chain_.pop_back();
       part(to, false);
     }
     return false;
   }
 
+  bool goes_on(Node loose, Node waiting, Cost gain, std::size_t step) {
+    if (loose != free_) return grow(loose, waiting, gain, step);
+    if (waiting != free_) return grow(waiting, free_, gain, step);
+    return gain > 0;
+  }
+
   bool close(Node loose, Node waiting, Cost gain, std::size_t step) {
-    const Cost to_free = from_free_.reached(loose) ? from_free_.cost(loose) : kFar;
     if (waiting != free_) {
-      const auto found = std::find_if(near_[loose].begin(), near_[loose].end(),
-                                      [&](const Near& near) { return near.node == waiting; });
-      if (found != near_[loose].end() && found->cost < gain) {
-        chain_.push_back({loose, waiting, found->cost});
+      const Cost cost = cost_between(loose, waiting);
+      if (cost < gain) {
+        chain_.push_back({loose, waiting, cost});
         return true;
       }
     }
+    const Cost to_free = from_free_.reached(loose) ? from_free_.cost(loose) : kFar;
     if (to_free >= gain) return false;
     chain_.push_back({loose, free_, to_free});
     if (waiting == free_ || grow(waiting, free_, gain - to_free, step)) return true;
     chain_.pop_back();
     return false;
+  }
+
+  // As far as one is among those near to the other.
+  [[nodiscard]] Cost cost_between(Node a, Node b) const {
+    for (const auto& [from, to] : {std::pair(a, b), std::pair(b, a)})
+      for (const Near& near : near_[from])
+        if (near.node == to) return near.cost;
+    return kFar;
   }
 
   void part(Node r, bool parted) {
@@ -218,7 +232,7 @@ class PairExchange {
   }
 
   Node free_;
-  Cost credit_ = 0;  // what the dearest pair costs
+  Cost credit_ = 0;  // twice what a pair costs in the mean
   const CheapestWays& from_free_;
   Pairs& pairs_;
   std::vector<std::vector<Near>> near_;  // of odd nodes: others nearby, by cost
@@ -255,8 +269,8 @@ class JoinFinder {
       if (!forest_.reached(r)) forest_.find_from(r, visit, false);
   }
 
-  // From the leaves on, odd nodes whose ways up the tree meet are joined. A node that is left without one, or
-  // none.
+  // From the leaves on, odd nodes whose ways up the tree meet are joined. Returns an odd node that is left
+  // without a partner, or none.
   Node pair_along_forest() {
     pairs_.partner.assign(graph_.size(), kNone);
     pairs_.cost.assign(graph_.size(), 0);

@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -76,6 +77,55 @@ TEST(TJoin, IsTheCheapestOfAllOnSmallGraphs) {
     const auto nodes = static_cast<std::uint32_t>(3 + random() % 10);
     const auto edges = static_cast<std::uint32_t>(random() % 15);
     expect_cheapest(RandomGraph(random, nodes, edges, 1 + seed % 4));
+  }
+}
+
+// What it costs at least by the theorem: the cheapest way to join all odd nodes two by two, or with the free
+// node, by the costs of the cheapest ways between them.
+std::int64_t cheapest_pairs(const RandomGraph& graph) {
+  constexpr std::int64_t kFar = std::int64_t{1} << 40;
+  const std::size_t size = graph.odd.size();
+  std::vector<std::vector<std::int64_t>> cost(size, std::vector<std::int64_t>(size, kFar));
+  for (const JoinEdge& edge : graph.edges)
+    for (const auto& [a, b] : {std::pair(edge.a, edge.b), std::pair(edge.b, edge.a)})
+      cost[a][b] = std::min(cost[a][b], edge.cost);
+  for (std::size_t k = 0; k < size; ++k)
+    for (std::size_t i = 0; i < size; ++i)
+      for (std::size_t j = 0; j < size; ++j) cost[i][j] = std::min(cost[i][j], cost[i][k] + cost[k][j]);
+  std::vector<std::size_t> odd;
+  for (std::size_t i = 0; i < size; ++i)
+    if (graph.odd[i] != 0) odd.push_back(i);
+  // By the set of those that are joined: the first of the others is joined next.
+  std::vector<std::int64_t> least(std::size_t{1} << odd.size(), kFar);
+  least[0] = 0;
+  for (std::size_t set = 0; set + 1 < least.size(); ++set) {
+    std::size_t i = 0;
+    while (((set >> i) & 1U) != 0) ++i;
+    const auto offer = [&](std::size_t with, std::int64_t more) {
+      least[with] = std::min(least[with], least[set] + more);
+    };
+    offer(set | (std::size_t{1} << i), cost[odd[i]][graph.free]);
+    for (std::size_t j = i + 1; j < odd.size(); ++j)
+      if (((set >> j) & 1U) == 0)
+        offer(set | (std::size_t{1} << i) | (std::size_t{1} << j), cost[odd[i]][odd[j]]);
+  }
+  return least.back();
+}
+
+TEST(TJoin, IsTheCheapestMatchingOfUpToFourteenOddNodes) {
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    std::mt19937_64 random(seed);
+    const auto nodes = static_cast<std::uint32_t>(20 + random() % 40);
+    RandomGraph graph(random, nodes, 3 * nodes, 1 + 3 * (seed % 3));
+    std::size_t count = 0;
+    for (std::uint8_t& odd : graph.odd) odd = odd != 0 && ++count <= 14 ? 1 : 0;
+    const matching::TJoin join = matching::cheap_t_join({graph.odd, graph.edges, graph.free});
+    if (join.stuck != matching::TJoin::kNone) continue;
+    const auto cost = graph.cost_of(
+        [&](std::uint32_t i) { return std::binary_search(join.edges.begin(), join.edges.end(), i); });
+    ASSERT_TRUE(cost.has_value());
+    EXPECT_EQ(*cost, cheapest_pairs(graph));
   }
 }
 
