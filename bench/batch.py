@@ -4,7 +4,8 @@
 Draws sections with seeds, meshes each alone on one thread (the sum of those times is what there is to do), then all of
 them by `quarry batch` on every core, and once more with three bad ones among them: one that crashes (it is sent a
 segmentation fault), one that hangs (its input is a pipe that nobody writes to) and one that takes too much memory. Prints
-tables in Markdown, as they stand in docs/results-batch.md.
+tables in Markdown, as they stand in docs/results-batch.md. Ends with 1 where a planted job has another outcome than it
+should, or one of the others is not done with the bytes that it has alone.
 
 usage: batch.py [--quarry build/quarry] [--sections 200] [--lines 40] [--size 25] [--rounds 3] [--quick]
 """
@@ -20,6 +21,7 @@ import time
 
 import jobs
 
+PLANTED = {"crash": "crashed", "hang": "out of time", "hog": "out of memory"}
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 
@@ -105,7 +107,7 @@ def main():
         os.makedirs(single)
         draw(options.quarry, folder, options.sections, options.lines)
         inputs = sorted(os.path.join(folder, name) for name in os.listdir(folder))
-        print(f"Machine: {jobs.machine_text()}.\n")
+        print(f"Machine: {jobs.machine_text()}. Sources as of {jobs.source_commit()}.\n")
         print(f"{options.sections} sections of {options.lines} lines, --size {options.size:g}.\n")
         print("| round | alone: s | alone: processor s | batch: s | batch: processor s | s / (alone / cores) | "
               "processor / alone | cores busy % | threads in use % |\n|---|---|---|---|---|---|---|---|---|")
@@ -121,8 +123,9 @@ def main():
             print(f"| {number + 1} | {wall:.1f} | {cpu:.1f} | {done.wall:.1f} | {done.cpu:.1f} | {ratios[-1]:.3f} | "
                   f"{done.cpu / cpu:.3f} | {100 * done.cpu / done.wall / cores:.0f} | "
                   f"{100 * in_use / done.wall / cores:.0f} |", flush=True)
+        same = same_meshes(inputs, single, out)
         print(f"\nMedian of s / (alone / cores): {statistics.median(ratios):.3f}, wanted at most 1.1. The same bytes as "
-              f"alone: {'ok' if same_meshes(inputs, single, out) else 'NO'}.\n")
+              f"alone: {'ok' if same else 'NO'}.\n")
         again = batch(options.quarry, [folder, "-o", out, "--size", options.size], work)
         print(f"Run again, with all of it done: {again.wall:.2f} s.\n")
 
@@ -136,12 +139,15 @@ def main():
         killer.join()
         table = outcomes(work)
         print("| planted | outcome | s | peak MB | why |\n|---|---|---|---|---|")
-        for name in ("crash", "hang", "hog"):
-            job = table.pop(name)
+        ended = {name: table.pop(name) for name in PLANTED}
+        for name, job in ended.items():
             print(f"| {name} | {job['outcome']} | {job['seconds']:.2f} | {job['peak_bytes'] / 1e6:.0f} | {job['message']} |")
         well = sum(job["outcome"] == "done" for job in table.values())
+        harmed = not same_meshes(inputs, single, planted)
         print(f"\n{well} of the {len(table)} others done in {done.wall:.1f} s, exit code {done.code}; the same bytes as "
-              f"alone: {'ok' if same_meshes(inputs, single, planted) else 'NO'}.")
+              f"alone: {'NO' if harmed else 'ok'}.")
+        if not same or harmed or well < len(table) or {name: job["outcome"] for name, job in ended.items()} != PLANTED:
+            sys.exit(1)
 
 
 if __name__ == "__main__":

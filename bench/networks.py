@@ -12,7 +12,8 @@ usage: networks.py [--quarry build/quarry] [--referee DIR] [--segments 1000,1000
 --quick    of gmsh and netgen the fastest ways alone, which the ratios are with
 --out      a page whose text below the tables is kept; without it the tables are printed
 --json     all figures and ratios, for --compare
---compare  prints the ratios beside those of such a file, and ends with 1 if one fell by more than a fifth
+--compare  prints the ratios beside those of such a file, and ends with 1 if one fell by more than a fifth or is missing,
+           a run failed, lines were lost, or two threads wrote other bytes than one
 """
 import argparse
 import json
@@ -43,12 +44,12 @@ class Bench:
         return os.path.join(self.folder, name)
 
     def mesh(self, lines, size, extra, threads):
-        """The best of several runs -> (run, digest of the mesh, report)."""
+        """The best of several runs, or one that failed -> (run, digest of the mesh, report)."""
         out, report = self.path("out.vtu"), self.path("out.json")
         command = [self.quarry, "mesh", lines, "--size", f"{size:.12g}", "-o", out, "--report", report, "--threads",
                    threads, "--quiet", *extra]
         runs = [run(command, self.folder, 7200) for _ in range(self.arguments.repeat)]
-        best = min(runs, key=lambda done: (done.code, done.cpu if threads == 1 else done.wall))
+        best = min(runs, key=lambda done: (done.code == 0, done.cpu if threads == 1 else done.wall))
         say(f"{os.path.basename(lines)} {' '.join(extra)} on {threads}: {best.cpu:.2f} s of {best.wall:.2f}"
             + ("" if best.code == 0 else f", {best.why}"))
         return best, digest(out) if best.code == 0 else "", load_json(report) if best.code == 0 else None
@@ -77,6 +78,9 @@ def measure_ours(bench, label, lines, clean, size):
             continue
         kept = kept_share(bench, bench.as_msh(bench.path("out.vtu"), bench.path("out.msh")), clean, size)
         two, second, _ = bench.mesh(lines, size, extra, 2)
+        if two.code != 0:
+            yield {"network": label, "what": what, "error": two.why}
+            continue
         yield {"network": label, "what": what, "size": size,
                "elements": job["counts"]["quads"] + job["counts"]["triangles"],
                "one": {"cpu": one.cpu, "wall": one.wall}, "two": {"cpu": two.cpu, "wall": two.wall},
@@ -141,8 +145,13 @@ def main():
         with open(arguments.json, "w") as file:
             json.dump(results, file, indent=1)
             file.write("\n")
+    failures = list(ratios.failures(results["quarry"]))
+    for failure in failures:
+        say(failure)
     if arguments.compare:
-        sys.exit(0 if ratios.compare(results["ratios"], load_json(arguments.compare)["ratios"]) else 1)
+        networks = {row["network"] for row in results["quarry"]}
+        good = ratios.compare(results["ratios"], load_json(arguments.compare)["ratios"], networks)
+        sys.exit(0 if good and not failures else 1)
     if arguments.out:
         page.write(arguments.out, results, network_page.page_text)
     else:

@@ -65,10 +65,26 @@ def find_ratios(ours, peers):
     return ratios
 
 
-def compare(found, recorded):
-    """Prints a table of both; True unless one has fallen."""
+def failures(ours):
+    """What went wrong with rows of bench/networks.py: runs that failed, other bytes on two threads, lines lost."""
+    for row in ours:
+        name = f"{row['network']}, {row['what']}"
+        if "error" in row:
+            yield f"{name}: {row['error']}"
+        elif not row["same_bytes"]:
+            yield f"{name}: other bytes on two threads"
+        elif (row["kept"] or 100) < WHOLE:
+            yield f"{name}: {row['kept']:.3f} % of the lines kept"
+
+
+def compare(found, recorded, networks):
+    """Prints a table of both; True unless one of these networks has fallen or is missing."""
     print("| ratio | recorded | now | |\n|---|---|---|---|")
     good = True
+    for name, value in recorded.items():
+        if name.split(", ")[0] in networks and name not in found:
+            good = False
+            print(f"| {name} | {value:.2f} | | **missing** |")
     for name, value in found.items():
         if name not in recorded:
             print(f"| {name} | | {value:.2f} | new |")
