@@ -1,4 +1,4 @@
-// Who does which job of a list: one process all of them, or several that share them (mpi_share.hpp).
+// Who does which job of a list: one process all of them, or several that share them (ranks.hpp).
 #pragma once
 
 #include <cstddef>
