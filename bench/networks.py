@@ -4,7 +4,7 @@ processes, file to file. Prints tables in Markdown, as they stand in docs/result
 
 usage: networks.py [--quarry build/quarry] [--referee DIR] [--segments 1000,10000,100000] [--maps NAME,... --data DIR]
                    [--repeat 3] [--limit 300] [--peers 10000] [--quick] [--out docs/results-networks.md] [--json FILE]
-                   [--compare FILE]
+                   [--into FILE] [--compare FILE]
 
 --maps     real maps as well, at a 600th of their longer side: of the files of that folder, planar/NAME.lines.geojson
 --peers    the largest network that gmsh and netgen are given
@@ -12,6 +12,7 @@ usage: networks.py [--quarry build/quarry] [--referee DIR] [--segments 1000,1000
 --quick    of gmsh and netgen the fastest ways alone, which the ratios are with
 --out      a page whose text below the tables is kept; without it the tables are printed
 --json     all figures and ratios, for --compare
+--into     such a file whose rows of the same networks and ways are replaced: the page and --json have all of both
 --compare  prints the ratios beside those of such a file, and ends with 1 if one fell by more than a fifth or is missing,
            a run failed, lines were lost, or two threads wrote other bytes than one
 """
@@ -116,9 +117,25 @@ def measure(arguments):
             clean = bench.clean(lines, size)
             ours += [{**row, "map": True} for row in measure_ours(bench, name, lines, clean, size)]
             peers += peer_rows(bench, name, clean, size, quads_of(ours, name))
-    return {"machine": machine_text(), "commit": source_commit(), "repeat": arguments.repeat, "limit": arguments.limit,
-            "quick": arguments.quick, "near": KEPT_WITHIN, "quarry": ours, "peers": peers,
-            "ratios": ratios.find_ratios(ours, peers), "rates": ratios.find_rates(ours)}
+    made = f"{source_commit()}, best of {arguments.repeat}"
+    return {"machine": machine_text(), "near": KEPT_WITHIN, "quarry": [{**row, "made": made} for row in ours],
+            "peers": [{**row, "made": made} for row in peers]}
+
+
+def key_of(row):
+    """What a row is about. That gmsh has as many quads stands in brackets after the way."""
+    return row["network"], row.get("who"), row.get("way", row.get("what")).split(" (")[0]
+
+
+def with_rows_of(old, new):
+    """All rows of both, the new ones in place of old ones about the same, in the order of the networks."""
+    names = dict.fromkeys([*SHAPES, *(row["network"] for row in old["quarry"] + new["quarry"])])
+    order = {name: i for i, name in enumerate(names)}
+    joined = {**old, **new}
+    for kind in ("quarry", "peers"):
+        rows = {key_of(row): row for row in old[kind] + new[kind]}
+        joined[kind] = sorted(rows.values(), key=lambda row: order[row["network"]])
+    return joined
 
 
 def parse():
@@ -134,22 +151,26 @@ def parse():
     parser.add_argument("--quick", action="store_true")
     parser.add_argument("--out", default="")
     parser.add_argument("--json", default="")
+    parser.add_argument("--into", default="")
     parser.add_argument("--compare", default="")
     return parser.parse_args()
 
 
 def main():
     arguments = parse()
-    results = measure(arguments)
+    measured = measure(arguments)
+    results = with_rows_of(load_json(arguments.into), measured) if arguments.into else measured
+    results["ratios"] = ratios.find_ratios(results["quarry"], results["peers"])
+    results["rates"] = ratios.find_rates(results["quarry"])
     if arguments.json:
         with open(arguments.json, "w") as file:
             json.dump(results, file, indent=1)
             file.write("\n")
-    failures = list(ratios.failures(results["quarry"]))
+    failures = list(ratios.failures(measured["quarry"]))
     for failure in failures:
         say(failure)
     if arguments.compare:
-        networks = {row["network"] for row in results["quarry"]}
+        networks = {row["network"] for row in measured["quarry"]}
         good = ratios.compare(results["ratios"], load_json(arguments.compare)["ratios"], networks)
         sys.exit(0 if good and not failures else 1)
     if arguments.out:

@@ -10,6 +10,7 @@
 #include <poll.h>
 
 #include "engine/base/error.hpp"
+#include "engine/base/stopwatch.hpp"
 #include "io/scratch_folder.hpp"
 #include "pipeline/batch/records.hpp"
 #include "pipeline/batch/time_left.hpp"
@@ -169,6 +170,7 @@ std::vector<JobRecord> run_batch(const BatchOptions& options, const BatchFolder&
   Supervisor supervisor(options, folder, jobs, share);
   std::vector<JobRecord> records;
   TimeLeft time(jobs, share.order());
+  const Stopwatch watch;
   bool more = true;
   while (more && !progress.cancelled()) {
     more = supervisor.step();
@@ -177,7 +179,7 @@ std::vector<JobRecord> run_batch(const BatchOptions& options, const BatchFolder&
       if (options.on_record) options.on_record(record);
       records.push_back(std::move(record));
     }
-    if (!progress.cancelled()) progress.report(time.text(), time.share());
+    if (!progress.cancelled()) progress.report(time.text(watch.seconds()), time.share());
   }
   return records;
 }

@@ -16,9 +16,8 @@ void TimeLeft::add(const JobRecord& record) {
 
 double TimeLeft::share() const { return weight_ > 0 ? ended_weight_ / weight_ : 1; }
 
-std::string TimeLeft::text() const {
+std::string TimeLeft::text(double elapsed) const {
   std::string text = fmt::format("{}/{}", ended_, count_);
-  const double elapsed = std::chrono::duration<double>(Clock::now() - began_).count();
   if (ended_weight_ > 0 && ended_ < count_)
     text += ", " + duration_text(elapsed * (weight_ - ended_weight_) / ended_weight_);
   return text;

@@ -1,7 +1,6 @@
 // How far a batch is, and about how long it will take from there.
 #pragma once
 
-#include <chrono>
 #include <cstddef>
 #include <span>
 #include <string>
@@ -19,16 +18,14 @@ class TimeLeft {
   void add(const JobRecord& record);
   // Of the work, as the weights of jobs have it; in [0, 1].
   [[nodiscard]] double share() const;
-  // "37/200, 2 min": jobs that have ended, and the time that the rest takes if it goes on as it went.
-  [[nodiscard]] std::string text() const;
+  // "37/200, 2 min": jobs that have ended, and the time that the rest takes if it goes on as it went for so
+  // many seconds.
+  [[nodiscard]] std::string text(double elapsed) const;
 
  private:
-  using Clock = std::chrono::steady_clock;
-
   std::span<const BatchJob> jobs_;
   std::size_t count_, ended_ = 0;
   double weight_ = 0, ended_weight_ = 0;
-  Clock::time_point began_ = Clock::now();
 };
 
 // "45 s", "2 min", "3.5 h"

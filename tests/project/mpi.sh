@@ -1,6 +1,8 @@
 #!/usr/bin/env bash
 # mpi.sh QUARRY: `quarry batch` of a build with QUARRY_MPI under mpirun, with 2 and 3 ranks on this machine: each job is
-# done once, every rank does some, and the meshes are those that one process makes. Ends with 1 where that is not so.
+# done once, every rank does some, and the meshes are those that one process makes; jobs are shared as ranks become free; a
+# job that crashes and one that hangs harm no other; what a lost rank leaves is done by the next run. Ends with 1 where that
+# is not so.
 set -euo pipefail
 QUARRY=$(realpath "$1")
 readonly QUARRY JOBS=24
@@ -50,3 +52,54 @@ code=0
 ranks 2 "$OUT/in" -o "$OUT/in" --size 25 > "$OUT/table.txt" || code=$?
 ((code == 2)) || fail "the folder of the models: exit code $code, not 2"
 printf 'run again, all passed over; exit codes as without MPI\n'
+rm "$OUT/in/broken.geojson"
+
+# list FILE SIZE: all sections, the first with this element size.
+list() {
+  printf '[defaults]\nsize = 25\n[[job]]\ninput = "%s"\nsize = %s\n' "$OUT/in/section_0.geojson" "$2"
+  for ((seed = 1; seed < JOBS; ++seed)); do printf '[[job]]\ninput = "%s"\n' "$OUT/in/section_$seed.geojson"; done
+} > "$1"
+
+list "$OUT/uneven.toml" 4
+ranks 2 "$OUT/uneven.toml" -o "$OUT/uneven" --threads 1 --json > "$OUT/table.json" || fail "an uneven list: exit code $?"
+python3 - "$OUT/table.json" << 'END' || fail "the rank that has the large job did half of the others"
+import json, sys
+jobs = json.load(open(sys.argv[1]))["jobs"]
+large = max(jobs, key=lambda job: job["seconds"])
+assert sum(job["rank"] == large["rank"] for job in jobs) < len(jobs) / 2, jobs
+END
+
+list "$OUT/bad.toml" 25
+for name in crash hang; do
+  mkfifo "$OUT/$name.geojson" # nobody writes to it
+  printf '[[job]]\ninput = "%s"\n' "$OUT/$name.geojson" >> "$OUT/bad.toml"
+done
+until pkill -SEGV -f "mesh.*$OUT/crash.geojson"; do sleep 0.1; done &
+killer=$!
+code=0
+ranks 2 "$OUT/bad.toml" -o "$OUT/bad" --job-time 5s --json > "$OUT/table.json" || code=$?
+kill "$killer" 2> /dev/null || true
+((code == 8)) || fail "a crash and a hang: exit code $code, not 8"
+python3 - "$OUT/table.json" "$JOBS" << 'END' || fail "a crash and a hang: the table"
+import json, sys
+outcomes = {job["name"]: job["outcome"] for job in json.load(open(sys.argv[1]))["jobs"]}
+assert (outcomes.pop("crash"), outcomes.pop("hang")) == ("crashed", "out of time"), outcomes
+assert list(outcomes.values()) == ["done"] * int(sys.argv[2]), outcomes
+END
+
+# rank_of PID: its number among the ranks; nothing for other processes.
+rank_of() { tr '\0' '\n' 2> /dev/null < "/proc/$1/environ" | sed -n 's/^OMPI_COMM_WORLD_RANK=//p'; }
+list "$OUT/lost.toml" 3
+ranks 2 "$OUT/lost.toml" -o "$OUT/lost" --threads 1 > "$OUT/table.txt" &
+lost=$!
+sleep 2
+for process in $(pgrep -f "^$QUARRY batch $OUT/lost.toml"); do
+  [[ $(rank_of "$process") != 1 ]] || kill -KILL "$process"
+done
+code=0
+wait "$lost" || code=$?
+((code != 0)) || fail "a lost rank: exit code 0"
+ranks 2 "$OUT/lost.toml" -o "$OUT/lost" --threads 1 > "$OUT/table.txt" || fail "after a lost rank: exit code $?"
+(($(grep -cE ' (done|skipped) ' "$OUT/table.txt") == JOBS)) || fail "after a lost rank: not all are done"
+grep -q ' skipped ' "$OUT/table.txt" || fail "after a lost rank: all were done again"
+printf 'jobs go to who is free; a crash, a hang and a lost rank are got over\n'

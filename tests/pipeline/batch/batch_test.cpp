@@ -1,9 +1,13 @@
 // A batch with a script as its worker, which crashes, hangs and takes memory as the job asks.
+#include <algorithm>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -118,6 +122,28 @@ TEST_F(Batch, GoesOnAfterEveryWayToFail) {
     EXPECT_EQ(record.elements, 7);
   }
   EXPECT_FALSE(has_partial_files());
+}
+
+TEST_F(Batch, SaysHowFarItIsAndHowLongTheRestTakes) {
+  options_.threads = 1;
+  for (const char* name : {"first", "second", "third"}) add(name, "well");
+  std::vector<std::string> stages;
+  std::vector<double> shares;
+  (void)run(Progress(
+      [&](std::string_view stage, double share) {
+        stages.emplace_back(stage);
+        shares.push_back(share);
+      },
+      nullptr));
+  ASSERT_FALSE(stages.empty());
+  EXPECT_EQ(stages.back(), "3/3");
+  EXPECT_EQ(shares.back(), 1);
+  const auto told = [&](const std::string& start) {
+    return std::any_of(stages.begin(), stages.end(),
+                       [&](const std::string& stage) { return stage.starts_with(start); });
+  };
+  EXPECT_TRUE(told("1/3, "));
+  EXPECT_TRUE(told("2/3, "));
 }
 
 TEST_F(Batch, PassesOverWhatIsDoneUnlessSomethingChanged) {
