@@ -11,7 +11,7 @@ namespace quarry {
 
 struct MeshBalance {
   // Sum over inner vertices of 4 - faces, and over boundary vertices of 2 - faces, plus triangles: four times
-  // the Euler characteristic (Gauss-Bonnet).
+  // the Euler characteristic (Gauss-Bonnet), where no two boundaries meet in a vertex.
   std::int64_t charge = 0;
   std::uint64_t boundary_sides = 0;
   std::uint64_t triangles = 0;  // as odd as the boundary sides
@@ -20,7 +20,7 @@ struct MeshBalance {
 [[nodiscard]] MeshBalance balance_of(const Mesh& mesh);
 
 // Empty if the mesh is whole, has the charge that it had, and as odd a number of triangles as of boundary
-// sides; else one sentence.
+// sides (which mutual neighbours imply); else one sentence.
 [[nodiscard]] std::string find_imbalance(const Mesh& mesh, const MeshBalance& before,
                                          GeometryCheck geometry = GeometryCheck::kNone);
 

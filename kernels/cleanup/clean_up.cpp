@@ -3,6 +3,7 @@
 #include "engine/base/heap.hpp"
 #include "engine/base/stopwatch.hpp"
 #include "engine/geometry/model.hpp"
+#include "engine/mesh/balance.hpp"
 #include "engine/mesh/compact.hpp"
 #include "engine/mesh/sectors.hpp"
 #include "kernels/cleanup/ideal.hpp"
@@ -16,7 +17,7 @@ class CleanUp {
  public:
   CleanUp(Mesh& mesh, const NodedLines& lines, const CleanUpOptions& options, CleanUpReport& report,
           const Progress& progress)
-      : mesh_(mesh), lines_(lines), options_(options), report_(report), progress_(progress) {}
+      : mesh_(mesh), lines_(lines), options_(options), report_(report), progress_(progress), balance_(mesh) {}
 
   void run() {
     progress_.report("clean-up", 0);
@@ -50,6 +51,7 @@ class CleanUp {
   void close() {
     sew(mesh_, ConstraintTags::of(mesh_));
     mesh_.remove_tag<VertexId>(kIdealTag);
+    balance_.check("sewing", mesh_, GeometryCheck::kNone);
     compact(mesh_, EntityOrder::kHilbert);
     give_back_freed_memory();
   }
@@ -132,6 +134,7 @@ class CleanUp {
   const CleanUpOptions& options_;
   CleanUpReport& report_;
   const Progress& progress_;
+  BalanceGuard balance_;
 };
 
 }  // namespace

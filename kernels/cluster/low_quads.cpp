@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/mesh/balance.hpp"
 #include "engine/parallel/parallel.hpp"
 #include "kernels/cluster/cut_quad.hpp"
 #include "kernels/quality/face.hpp"
@@ -25,6 +26,7 @@ bool cut_would_help(const Mesh& mesh, FaceId f, const LowQuadOptions& options) {
 LowQuadReport cut_low_quads(Mesh& mesh, const LowQuadOptions& options) {
   const std::vector<std::uint32_t> low = parallel::filter_indices(
       mesh.face_slots(), [&](std::size_t i) { return is_low_quad(mesh, FaceId(i), options.quality); });
+  const BalanceGuard balance(mesh);
   LowQuadReport report;
   report.low = low.size();
   // Few, and each takes no longer than a look. No cut changes what another one sees.
@@ -34,6 +36,7 @@ LowQuadReport cut_low_quads(Mesh& mesh, const LowQuadOptions& options) {
     cut_quad(mesh, f, best_cut(mesh, f).from);
     ++report.cut;
   }
+  balance.check("cutting low quads", mesh, GeometryCheck::kNone);
   return report;
 }
 

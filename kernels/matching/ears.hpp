@@ -16,7 +16,7 @@ struct EarOptions {
 
 struct EarReport {
   std::uint64_t forced = 0;  // triangles with a single arc
-  std::uint64_t bad = 0;     // whose only merge has a straight or reflex corner
+  std::uint64_t bad = 0;     // whose only merge has a corner that is obtuse and flatter than asked, or reflex
   std::uint64_t opened = 0;
 };
 

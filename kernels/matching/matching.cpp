@@ -35,6 +35,10 @@ void better_triangles(Mesh& mesh, const NodedLines& lines, const MatchingOptions
       .empty();
 }
 
+[[maybe_unused]] bool has_even_regions(const Mesh& mesh, ConstraintTags tags) {
+  return count_odd_regions(mesh, maximum_spanning_forest(mesh, pair_shapes(mesh, tags)).root) == 0;
+}
+
 std::vector<std::uint32_t> invalid_faces(const Mesh& mesh) {
   return parallel::filter_indices(mesh.face_slots(), [&](std::size_t i) {
     return mesh.alive(FaceId(i)) && !matching::is_convex(mesh, FaceId(i));
@@ -93,9 +97,11 @@ void prepare_for_join(Mesh& mesh, ConstraintTags tags, const NodedLines& lines,
       mesh, tags, forest.root, [&](SideId) { return !options.keep_boundary; }, report.parity);
   halve_edges(mesh, tags, lines, odd);
   balance.check("halved edges", mesh, GeometryCheck::kPlanarCorners);
+  assert(has_even_regions(mesh, tags));
   progress.throw_if_cancelled();
   open_forced_ears(mesh, tags, options.ears, report.ears);
   balance.check("opened ears", mesh, GeometryCheck::kPlanarCorners);
+  assert(has_even_regions(mesh, tags));
 }
 
 Mesh make_quads_by_matching(Mesh&& triangles, const NodedLines& lines, const MatchingOptions& options,

@@ -40,6 +40,9 @@ struct Regions {
   }
 
   [[nodiscard]] Region operator()(FaceId f) const { return number[root[f].value()]; }
+  [[nodiscard]] std::uint64_t count_odd() const {
+    return static_cast<std::uint64_t>(std::count(odd.begin(), odd.end(), 1));
+  }
 
  private:
   // Neighbours in the list mostly share a region: whole runs are told at once.
@@ -216,12 +219,16 @@ Support support_of_middle(const Mesh& mesh, ConstraintTags tags, const PieceFind
 
 }  // namespace
 
+std::uint64_t count_odd_regions(const Mesh& mesh, const IdVector<FaceId, FaceId>& root) {
+  return Regions(mesh, root).count_odd();
+}
+
 std::vector<SideId> edges_to_halve(const Mesh& mesh, ConstraintTags tags,
                                    const IdVector<FaceId, FaceId>& root, const MayHalveOuter& may_halve_outer,
                                    ParityReport& report) {
   const Regions regions(mesh, root);
   report.regions = regions.face.size();
-  report.odd_regions = static_cast<std::uint64_t>(std::count(regions.odd.begin(), regions.odd.end(), 1));
+  report.odd_regions = regions.count_odd();
   if (report.odd_regions == 0) return {};
   std::vector<SideId> sides = RegionGraph(mesh, tags, regions, may_halve_outer).join();
   report.halved_edges = sides.size();

@@ -35,6 +35,9 @@ using MayHalveOuter = std::function<bool(SideId)>;
                                                  const IdVector<FaceId, FaceId>& root,
                                                  const MayHalveOuter& may_halve_outer, ParityReport& report);
 
+// How many regions have an odd number of triangles.
+[[nodiscard]] std::uint64_t count_odd_regions(const Mesh& mesh, const IdVector<FaceId, FaceId>& root);
+
 // Halves edges of a planar mesh. New vertices lie on the piece of a constrained edge and slide on it; those
 // of other boundary edges are fixed. Constraint bits and boundary sides stay what they are.
 void halve_edges(Mesh& mesh, ConstraintTags tags, const NodedLines& lines, std::span<const SideId> sides);

@@ -9,6 +9,7 @@
 
 #include "engine/base/error.hpp"
 #include "engine/geometry/predicates.hpp"
+#include "engine/mesh/balance.hpp"
 #include "kernels/quality/element.hpp"
 
 namespace quarry {
@@ -204,6 +205,7 @@ class TakeOutOfOutline {
 }  // namespace
 
 PassReport make_outline_whole(Mesh& mesh, const NodedLines& lines, const Progress& progress) {
+  const BalanceGuard balance(mesh);
   const TakeOutOfOutline operation(ConstraintTags::of(mesh), lines);
   const auto found = parallel::filter_indices(
       mesh.vertex_slots(), [&](std::size_t i) { return operation.concerns(mesh, VertexId(i)); });
@@ -212,6 +214,7 @@ PassReport make_outline_whole(Mesh& mesh, const NodedLines& lines, const Progres
   for (const std::uint32_t i : found) work.emplace_back(i);
   PassReport report = run_pass(mesh, operation, std::move(work), PassOptions(), progress);
   report.name = "vertices taken out of the outline";
+  balance.check("taking vertices out of the outline", mesh, GeometryCheck::kPlanarCorners);
   for (const VertexId v : mesh.vertices()) {
     if (!operation.concerns(mesh, v)) continue;
     const Vec2 p = mesh.point(v);

@@ -74,10 +74,12 @@ class SurfaceQuads {
 
   // Where features hold corners straight no smoothing bends them.
   void open_corners() {
+    const BalanceGuard balance(mesh_);
     for (int round = 0; round < options_.matching->opening_rounds; ++round) {
       report_.matching.openings.push_back(
           open_straight_corners(mesh_, options_.matching->openings, progress_));
       if (report_.matching.openings.back().won == 0) return;
+      balance.check("openings", mesh_, GeometryCheck::kNone);
       mesh_.remove_normals();
       place_on_surface(mesh_, ConstraintTags::of(mesh_), model_, network_, progress_);
       compact(mesh_, EntityOrder::kHilbert);

@@ -110,7 +110,7 @@ TEST(Ears, KeepLinesValidityChargeAndParityOnRandomMeshes) {
     EXPECT_LE(report.opened, report.bad);
     EXPECT_LE(report.bad, report.forced);
     opened += report.opened;
-    // What was opened is good.
+    // No more is bad than what could not be opened.
     EarReport again;
     open_forced_ears(made.mesh, made.tags, {}, again);
     EXPECT_LE(again.bad, report.bad - report.opened);

@@ -126,11 +126,13 @@ TEST(Matching, KeepsLinesThroughSmoothingOpeningsAndRings) {
     test::SyntheticMesh made = test::make_synthetic({.seed = seed, .crooked_lines = 20});
     const double length = constrained_length(made.mesh);
     const double area = area_of(made.mesh);
+    const int charge = test::charge_of(made.mesh);
     MatchingReport report;
     const Mesh quads =
         make_quads_by_matching(std::move(made.mesh), made.lines, counting(), report, Progress());
     EXPECT_EQ(validate(quads, GeometryCheck::kNone), "");
     EXPECT_TRUE(all_quads(quads));
+    EXPECT_EQ(test::charge_of(quads), charge);
     EXPECT_NEAR(constrained_length(quads), length, 1e-6 * length);
     EXPECT_NEAR(area_of(quads), area, 1e-5);
     for (const PassReport& pass : report.openings) openings += pass.won;
@@ -238,6 +240,68 @@ TEST(Openings, GiveAStraightCornerASecondQuad) {
   EXPECT_EQ(mesh.count_alive_faces(), 3U);
   EXPECT_EQ(validate(mesh, GeometryCheck::kPlanarCorners), "");
   EXPECT_EQ(boundary_of(mesh), boundary);
+}
+
+std::size_t count_invalid(const Mesh& quads) {
+  std::size_t count = 0;
+  for (const FaceId f : quads.faces()) count += quads.alive(f) && !matching::is_convex(quads, f) ? 1 : 0;
+  return count;
+}
+
+// Quads straight from the matching of a random mesh with lines, some of them with straight or reflex corners.
+struct Matched {
+  Mesh mesh;
+  NodedLines lines;
+
+  explicit Matched(std::uint64_t seed) {
+    test::SyntheticMesh made = test::make_synthetic({.seed = seed, .crooked_lines = 30});
+    MatchingReport report;
+    prepare_for_join(made.mesh, made.tags, made.lines, {}, report, Progress());
+    const DualArcs join = find_join(made.mesh, made.tags, {}, report, Progress());
+    mesh = merge_join(std::move(made.mesh), join);
+    lines = std::move(made.lines);
+  }
+};
+
+TEST(Openings, KeepLinesChargeAndValidityOnRandomMeshes) {
+  std::uint64_t won = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Mesh mesh = Matched(seed).mesh;
+    const Ends boundary = boundary_of(mesh), constraints = constraints_of(mesh);
+    const int charge = test::charge_of(mesh);
+    const std::size_t invalid = count_invalid(mesh);
+    const double area = area_of(mesh);
+    won += open_straight_corners(mesh, {}, Progress()).won;
+    EXPECT_EQ(validate(mesh, GeometryCheck::kNone), "");
+    EXPECT_EQ(boundary_of(mesh), boundary);
+    EXPECT_EQ(constraints_of(mesh), constraints);
+    EXPECT_EQ(test::charge_of(mesh), charge);
+    EXPECT_LE(count_invalid(mesh), invalid);
+    EXPECT_NEAR(area_of(mesh), area, 1e-5);
+  }
+  EXPECT_GT(won, 0U);
+}
+
+TEST(Rings, KeepLinesChargeAndValidityOnRandomMeshes) {
+  std::uint64_t won = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Matched given(seed);
+    const double length = constrained_length(given.mesh);
+    const int charge = test::charge_of(given.mesh);
+    const std::size_t invalid = count_invalid(given.mesh);
+    const double area = area_of(given.mesh);
+    const std::uint64_t mended = ring_straight_corners(given.mesh, given.lines, {}, Progress()).won;
+    EXPECT_EQ(validate(given.mesh, GeometryCheck::kNone), "");
+    EXPECT_EQ(test::charge_of(given.mesh), charge);
+    EXPECT_LE(count_invalid(given.mesh), invalid);
+    EXPECT_EQ(count_invalid(given.mesh) < invalid, mended > 0);
+    EXPECT_NEAR(constrained_length(given.mesh), length, 1e-6 * length);
+    EXPECT_NEAR(area_of(given.mesh), area, 1e-5);
+    won += mended;
+  }
+  EXPECT_GT(won, 0U);
 }
 
 TEST(Matching, TakesAClosedSurface) {

@@ -1,10 +1,17 @@
 // `quarry improve` from file to file.
+#include <algorithm>
+#include <cstdint>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "engine/geometry/segment.hpp"
+#include "io/mesh/mesh_file.hpp"
+#include "io/mesh/mesh_format.hpp"
 #include "tests/pipeline/cli/command_run.hpp"
 
 namespace quarry {
@@ -48,6 +55,59 @@ TEST_F(ImproveCommand, TellsTheQualityBeforeAndAfter) {
   EXPECT_NEAR(json["quality"]["area"].get<double>(), json["quality_before"]["area"].get<double>(), 1e-3);
   EXPECT_TRUE(json.contains("cleanup"));
   EXPECT_NE(read_text(folder_ / "out.svg").find("<svg"), std::string::npos);
+}
+
+using Segments = std::vector<std::pair<Vec2, Vec2>>;
+
+// The edges of each line, by its number; those of the boundary without a line are under -1.
+std::map<std::int32_t, Segments> lines_of(const std::string& path) {
+  const Mesh mesh = read_mesh(path);
+  const MeshFileTags tags(mesh);
+  std::map<std::int32_t, Segments> lines;
+  for (const EdgeId e : mesh.edges()) {
+    const auto [a, b] = mesh.edge_ends(e);
+    lines[tags.constraint(e)].emplace_back(mesh.point(a), mesh.point(b));
+  }
+  return lines;
+}
+
+// Whether all ends and middles of the ones lie on the others.
+bool lie_on(const Segments& ones, const Segments& others) {
+  constexpr double kNear = 1e-6;
+  const auto covered = [&](Vec2 p) {
+    return std::any_of(others.begin(), others.end(), [&](const auto& segment) {
+      return squared_distance(p, segment.first, segment.second) < kNear * kNear;
+    });
+  };
+  return std::all_of(ones.begin(), ones.end(), [&](const auto& segment) {
+    return covered(segment.first) && covered(segment.second) &&
+           covered(midpoint(segment.first, segment.second));
+  });
+}
+
+// Networks with crossings, junctions and dead ends, in each format that carries lines.
+TEST_F(ImproveCommand, KeepsEveryLineOfDrawnNetworksInItsPlace) {
+  int seed = 0;
+  for (const std::string format : {".vtu", ".msh", ".obj", ".inp", ".vtu", ".msh"}) {
+    SCOPED_TRACE(testing::Message() << "seed " << ++seed << ", " << format);
+    const std::string network = folder_ / "network.geojson", in = folder_ / ("net" + format),
+                      out = folder_ / ("better" + format);
+    ASSERT_EQ(run_quarry({"generate", "fractures", "--count", "25", "--seed", std::to_string(seed), "-o",
+                          network, "-q"})
+                  .exit_code,
+              0);
+    ASSERT_EQ(run_quarry({"mesh", network, "-o", in, "--size", "30", "--cleanup", "none", "-q"}).exit_code,
+              0);
+    ASSERT_EQ(run_quarry({"improve", in, "-o", out, "-q"}).exit_code, 0);
+    const auto before = lines_of(in), after = lines_of(out);
+    ASSERT_GT(before.size(), 10U);
+    ASSERT_EQ(after.size(), before.size());
+    for (const auto& [number, edges] : before) {
+      ASSERT_TRUE(after.contains(number));
+      EXPECT_TRUE(lie_on(after.at(number), edges)) << "line " << number;
+      EXPECT_TRUE(lie_on(edges, after.at(number))) << "line " << number;
+    }
+  }
 }
 
 TEST_F(ImproveCommand, WithoutCleanUpKeepsTheTopology) {
