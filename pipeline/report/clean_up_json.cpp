@@ -34,7 +34,10 @@ Json operator_json(const LocalOperatorReport& report) {
           {"tried", pass.won},
           {"won", report.won},
           {"rejected",
-           {{"no_gain", pass.proposed - pass.live}, {"invalid", report.invalid}, {"quality", report.poor}}}};
+           {{"no_gain", pass.proposed - pass.live},
+            {"overlap", pass.live - pass.won},
+            {"invalid", report.invalid},
+            {"quality", report.poor}}}};
 }
 
 Json patches_json(const PatchReport& report) {

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/base/error.hpp"
+#include "engine/base/random.hpp"
 #include "engine/mesh/validate.hpp"
 #include "engine/operation/editor.hpp"
 #include "engine/parallel/parallel.hpp"
@@ -219,6 +220,61 @@ TEST(WholeOutline, KeepsItsOwnVerticesAlone) {
     EXPECT_EQ(constraints_of(made.mesh).size(), 18U);
   }
   EXPECT_EQ(claim_violations().count, 0U) << claim_violations().first;
+}
+
+// A random mesh of a rectangle whose outline has nodes at its corners and at some of its other vertices.
+Outlined outlined_delaunay(std::uint64_t seed) {
+  Outlined made{test::delaunay_mesh(30, 20, seed), {}};
+  auto tags = ConstraintTags::of(made.mesh);
+  const SideId start = made.mesh.side_of(VertexId(std::size_t{0}));
+  SideId s = start;
+  std::vector<VertexId> rim;
+  do {
+    tags.set_constrained(s, true);
+    rim.push_back(made.mesh.origin(s));
+    s = made.mesh.side_of(made.mesh.target(s));
+  } while (s != start);
+  const auto is_node = [&](std::size_t i) {
+    const Vec2 before = made.mesh.point(rim[(i + rim.size() - 1) % rim.size()]);
+    const Vec2 here = made.mesh.point(rim[i]), after = made.mesh.point(rim[(i + 1) % rim.size()]);
+    return cross(here - before, after - here) != 0 || uniform01(seed, i) < 0.4;
+  };
+  for (std::size_t i = 0; i < rim.size(); ++i)
+    if (is_node(i)) tags.support[rim[i]] = Support::at(made.lines.nodes.push_back(made.mesh.point(rim[i])));
+  const std::size_t count = made.lines.nodes.size();
+  for (std::size_t i = 0; i < count; ++i)
+    made.lines.pieces.push_back({NodeId(i), NodeId((i + 1) % count), PieceKindOf::kOutline});
+  // The vertices after the last node, before the first one, too.
+  PieceId piece(count - 1);
+  for (const VertexId v : rim) {
+    if (tags.support[v].is_node())
+      piece = PieceId(tags.support[v].node().value());
+    else
+      tags.support[v] = Support::on(piece);
+  }
+  made.lines.line_begin.assign(count + 1, 0);
+  return made;
+}
+
+TEST(WholeOutline, KeepsAreaChargeAndValidityOfRandomMeshes) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Outlined made = outlined_delaunay(seed);
+    const double area = area_of(made.mesh);
+    const int charge = test::charge_of(made.mesh);
+    const std::size_t rim = boundary_of(made.mesh).size();
+    const PassReport report = make_outline_whole(made.mesh, made.lines, Progress());
+    EXPECT_EQ(report.won, rim - made.lines.nodes.size());
+    EXPECT_EQ(validate(made.mesh, GeometryCheck::kPlanarCorners), "");
+    EXPECT_NEAR(area_of(made.mesh), area, 1e-9);
+    EXPECT_EQ(test::charge_of(made.mesh), charge);
+    EXPECT_EQ(boundary_of(made.mesh).size(), made.lines.nodes.size());
+    for (const VertexId v : made.mesh.vertices()) {
+      if (made.mesh.alive(v) && made.mesh.on_boundary(v)) {
+        EXPECT_TRUE(ConstraintTags::of(made.mesh).support[v].is_node());
+      }
+    }
+  }
 }
 
 TEST(WholeOutline, BecomesQuadsWithTheOutlinesVerticesAlone) {

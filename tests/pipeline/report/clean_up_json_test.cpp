@@ -58,7 +58,7 @@ TEST(CleanUpJson, SaysOfEachOperatorWhatWasTriedWonAndRejected) {
   EXPECT_EQ(rotation["looked_at"], 100);
   EXPECT_EQ(rotation["tried"], 30);
   EXPECT_EQ(rotation["won"], 21);
-  EXPECT_EQ(rotation["rejected"], Json({{"no_gain", 60}, {"invalid", 4}, {"quality", 5}}));
+  EXPECT_EQ(rotation["rejected"], Json({{"no_gain", 60}, {"overlap", 10}, {"invalid", 4}, {"quality", 5}}));
   EXPECT_EQ(json["operators_at_end"][0]["won"], 2);
 }
 
