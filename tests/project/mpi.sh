@@ -89,10 +89,10 @@ END
 
 # rank_of PID: its number among the ranks; nothing for other processes.
 rank_of() { tr '\0' '\n' 2> /dev/null < "/proc/$1/environ" | sed -n 's/^OMPI_COMM_WORLD_RANK=//p'; }
-list "$OUT/lost.toml" 3
+list "$OUT/lost.toml" 2
 ranks 2 "$OUT/lost.toml" -o "$OUT/lost" --threads 1 > "$OUT/table.txt" &
 lost=$!
-sleep 2
+until compgen -G "$OUT/lost/batch/records/*.json" > /dev/null; do sleep 0.1; done # some are done
 for process in $(pgrep -f "^$QUARRY batch $OUT/lost.toml"); do
   [[ $(rank_of "$process") != 1 ]] || kill -KILL "$process"
 done
