@@ -137,7 +137,8 @@ void follow(const BatchArguments& arguments, const BatchOptions& options, Ranks&
 
 void run(const CLI::App& command, const BatchArguments& arguments) {
   const std::unique_ptr<Ranks> ranks = join_ranks();
-  ProgressBar bar(!arguments.mesh.common.quiet && ranks->rank() == 0);
+  ProgressBar bar(!arguments.mesh.common.quiet && ranks->rank() == 0,
+                  std::chrono::duration<double>(arguments.tell_seconds));
   const Progress progress = bar.progress();
   BatchOptions options = options_of(arguments);
   divide(options, arguments, *ranks);
@@ -186,13 +187,18 @@ void add_batch_options(CLI::App& command, BatchArguments& arguments) {
       ->group("Output");
   command.add_flag("--json", arguments.json, "the table in the end is JSON")->group("Output");
   const char* limits = "Limits";
-  command.add_option("--job-time", arguments.job_seconds, "a job that takes longer is ended; 90, 15m, 2h")
-      ->transform(CLI::AsNumberWithUnit(std::map<std::string, double>{{"s", 1}, {"m", 60}, {"h", 3600}},
-                                        CLI::AsNumberWithUnit::CASE_SENSITIVE)
-                      .description(""))
-      ->check(CLI::PositiveNumber.description(""))
-      ->type_name("TIME")
-      ->group(limits);
+  const auto time_option = [&](const char* name, auto& value, const char* help, const char* group) {
+    command.add_option(name, value, help)
+        ->transform(CLI::AsNumberWithUnit(std::map<std::string, double>{{"s", 1}, {"m", 60}, {"h", 3600}},
+                                          CLI::AsNumberWithUnit::CASE_SENSITIVE)
+                        .description(""))
+        ->check(CLI::PositiveNumber.description(""))
+        ->type_name("TIME")
+        ->group(group);
+  };
+  time_option("--tell-every", arguments.tell_seconds,
+              "off a terminal, how often a line tells how far the batch is; default 1m", "Output");
+  time_option("--job-time", arguments.job_seconds, "a job that takes longer is ended; 90, 15m, 2h", limits);
   const auto size_option = [&](const char* name, auto& value, const char* help) {
     command.add_option(name, value, help)
         ->transform(CLI::AsSizeValue(true).description(""))

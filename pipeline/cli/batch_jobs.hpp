@@ -20,6 +20,7 @@ struct BatchArguments {
   std::string format = "vtu", pictures;
   bool pages = false, json = false;
   std::optional<double> job_seconds;
+  double tell_seconds = 60;  // off a terminal, between lines that tell how far the batch is
   std::optional<std::uint64_t> job_bytes, bytes;
 };
 

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "engine/base/log.hpp"
 #include "pipeline/cli/interrupt.hpp"
 
 namespace quarry::cli {
@@ -29,11 +30,15 @@ std::string bar_text(std::string_view stage, double share) {
   return fmt::format("{:<14} [{:#>{}}{:.>{}}] {:3.0f}%", stage, "", full, "", kCells - full, 100 * part);
 }
 
-ProgressBar::ProgressBar(bool wanted) : shown_(wanted && ::isatty(STDERR_FILENO) == 1) {}
+ProgressBar::ProgressBar(bool wanted, std::optional<std::chrono::duration<double>> interval)
+    : shown_(wanted && ::isatty(STDERR_FILENO) == 1) {
+  if (wanted && !shown_) interval_ = interval;
+}
 
 ProgressBar::~ProgressBar() { clear(); }
 
 Progress ProgressBar::progress() {
+  if (interval_) return {[this](std::string_view stage, double) { tell(stage); }, &interrupt_token()};
   if (!shown_) return {{}, &interrupt_token()};
   return {[this](std::string_view stage, double share) { show(stage, share); }, &interrupt_token()};
 }
@@ -45,6 +50,13 @@ void ProgressBar::show(std::string_view stage, double share) {
   drawn_ = true;
   // The cursor goes back to the start of the line, where a message would overwrite the bar.
   write_terminal("\x1b[K" + bar_text(stage, share) + "\r");
+}
+
+void ProgressBar::tell(std::string_view stage) {
+  const Clock::time_point now = Clock::now();
+  if (now - last_ < *interval_) return;
+  last_ = now;
+  log::info("{}", stage);
 }
 
 void ProgressBar::clear() {

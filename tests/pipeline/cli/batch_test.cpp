@@ -161,6 +161,19 @@ TEST_F(BatchCommand, EndsAJobThatGoesBeyondALimit) {
   EXPECT_FALSE(has("section.vtu"));
 }
 
+TEST_F(BatchCommand, TellsHowFarItIsWhereThereIsNoTerminal) {
+  for (const char* name : {"a", "b", "c"})
+    (void)folder_.write("in/" + std::string(name) + ".geojson", kSquare);
+  const CommandResult often =
+      run({folder_ / "in", "--size", "0.2", "--threads", "1", "--tell-every", "0.001s"});
+  EXPECT_EQ(often.exit_code, 0) << often.err;
+  for (const char* told : {"0/3\n", "1/3, ", "2/3, "})
+    EXPECT_NE(often.err.find(told), std::string::npos) << told << " in " << often.err;
+  const CommandResult rarely = run({folder_ / "in", "--size", "0.3", "--threads", "1"});
+  EXPECT_EQ(rarely.err.find("1/3"), std::string::npos) << rarely.err;
+  EXPECT_EQ(run({folder_ / "in", "--size", "0.2", "--tell-every", "0"}).exit_code, 2);
+}
+
 TEST_F(BatchCommand, GoesOnAfterAnInterrupt) {
   const std::string section = read_text(kDemoSection);
   for (int i = 0; i < 3; ++i) (void)folder_.write("in/s" + std::to_string(i) + ".geojson", section);
