@@ -66,24 +66,31 @@ template <class Point>
   return a + (1.0 / 3.0) * ((b - a) + (c - a));
 }
 
+// The sine of a corner beyond 90 degrees below which it is flat.
+inline constexpr double kFlat = 1e-6;
+
 // True if each corner turns left (exact), and none is so flat that it does so by the last bits of its
 // coordinates alone: nothing can be computed on such a quad.
-[[nodiscard]] inline bool is_convex(const std::array<Vec2, 4>& quad) {
-  constexpr double kFlat = 1e-6;  // the sine of a corner beyond 90 degrees
+[[nodiscard]] inline bool is_convex(const std::array<Vec2, 4>& quad, double flat = kFlat) {
   for (std::size_t i = 0; i < 4; ++i) {
     const Vec2 before = quad[(i + 3) % 4], here = quad[i], after = quad[(i + 1) % 4];
     if (!(orient2d(before, here, after) > 0)) return false;
-    if (dot(before - here, after - here) < 0 && corner_scaled_jacobian(before, here, after) < kFlat)
+    if (dot(before - here, after - here) < 0 && corner_scaled_jacobian(before, here, after) < flat)
       return false;
   }
   return true;
 }
 
-// The same of a face of the plane; of a triangle that it turns left.
+// The corners of a quad of the plane.
+[[nodiscard]] inline std::array<Vec2, 4> corners_of_quad(const Mesh& mesh, FaceId f) {
+  return {mesh.point(mesh.corner(f, 0)), mesh.point(mesh.corner(f, 1)), mesh.point(mesh.corner(f, 2)),
+          mesh.point(mesh.corner(f, 3))};
+}
+
+// is_convex of a face of the plane; of a triangle that it turns left.
 [[nodiscard]] inline bool is_convex(const Mesh& mesh, FaceId f) {
   if (mesh.corner_count(f) == 3) return all_corners_turn_left(mesh, f);
-  return is_convex({mesh.point(mesh.corner(f, 0)), mesh.point(mesh.corner(f, 1)),
-                    mesh.point(mesh.corner(f, 2)), mesh.point(mesh.corner(f, 3))});
+  return is_convex(corners_of_quad(mesh, f));
 }
 
 }  // namespace quarry::matching

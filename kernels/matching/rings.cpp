@@ -22,6 +22,15 @@ constexpr std::array<double, 4> kCuts = {0.5, 0.35, 0.25, 0.15};
 // corner at its end is.
 constexpr std::array<double, 4> kCentreShares = {0.6, 0.75, 0.87, 0.95};
 
+// What speaks against a quad: one that is inverted, or flat by its last bits, counts more than all parts of a
+// star that are nearly straight at a corner.
+constexpr int kInverted = 256;
+constexpr double kNearlyStraight = 0.02;  // sine of a corner beyond 90 degrees
+int badness(const std::array<Vec2, 4>& quad) {
+  if (matching::is_convex(quad, kNearlyStraight)) return 0;
+  return matching::is_convex(quad) ? 1 : kInverted;
+}
+
 class RingAround {
  public:
   using Item = FaceId;
@@ -34,7 +43,9 @@ class RingAround {
       : tags_(tags), lines_(&lines), finder_(lines), options_(options) {}
 
   bool propose(const Mesh& mesh, FaceId f, Cavity& cavity, Plan& plan) const {
-    if (!mesh.alive(f) || mesh.corner_count(f) != 4 || matching::is_convex(mesh, f)) return false;
+    if (!mesh.alive(f) || mesh.corner_count(f) != 4) return false;
+    const int before = badness(matching::corners_of_quad(mesh, f));
+    if (before == 0) return false;
     const VertexId v = mesh.origin(opposite_of_worst_corner(mesh, f));
     if (options_.keep_boundary && mesh.on_boundary(v)) return false;
     plan.first = mesh.side_of(v);
@@ -42,8 +53,10 @@ class RingAround {
     const auto mends = [&](double cut) {
       plan.cut = cut;
       star = Star();
-      return star.gather(*this, mesh, v, cut) && star.mends(f) &&
-             star.invalid_after() <= star.invalid_before(mesh);
+      if (!star.gather(*this, mesh, v, cut) || star.badness_of_parts_of(f) >= before) return false;
+      // An inverted quad may become others elsewhere, which the next call may mend; one that is flat may not.
+      const int change = star.badness_after() - star.badness_before(mesh);
+      return before >= kInverted ? change <= 0 : change < 0;
     };
     if (std::none_of(kCuts.begin(), kCuts.end(), mends)) return false;
     cavity.claim(v);
@@ -123,42 +136,41 @@ class RingAround {
     }
     // The spoke after a face.
     [[nodiscard]] std::size_t after(std::size_t i) const { return i + 1 < spoke_count ? i + 1 : 0; }
-    // The first place that makes all parts of the quad valid, or that with which the fewest are not.
+    // The first place that makes all parts of the quad good, or that with which they are least bad.
     void place_centre(std::size_t i) {
       Vec2 best;
-      int fewest = 4;
+      int least = 3 * kInverted + 1;
       for (const double share : kCentreShares) {
         faces[i].centre = here + share * (faces[i].far - here);
-        const int invalid = invalid_parts(i);
-        if (invalid >= fewest) continue;
-        fewest = invalid;
+        const int bad = badness_of_parts(i);
+        if (bad >= least) continue;
+        least = bad;
         best = faces[i].centre;
       }
       faces[i].centre = best;
     }
     // Of the three parts of one quad.
-    [[nodiscard]] int invalid_parts(std::size_t i) const {
+    [[nodiscard]] int badness_of_parts(std::size_t i) const {
       const auto& [side, far, centre] = faces[i];
       const Spoke& one = spokes[i];
       const Spoke& other = spokes[after(i)];
-      return (matching::is_convex({here, one.cut, centre, other.cut}) ? 0 : 1) +
-             (matching::is_convex({one.cut, one.end_place, far, centre}) ? 0 : 1) +
-             (matching::is_convex({centre, far, other.end_place, other.cut}) ? 0 : 1);
+      return badness({here, one.cut, centre, other.cut}) + badness({one.cut, one.end_place, far, centre}) +
+             badness({centre, far, other.end_place, other.cut});
     }
-    [[nodiscard]] int invalid_before(const Mesh& mesh) const {
+    [[nodiscard]] int badness_of_parts_of(FaceId f) const {
+      std::size_t i = 0;
+      while (faces[i].side.face() != f) ++i;
+      return badness_of_parts(i);
+    }
+    [[nodiscard]] int badness_before(const Mesh& mesh) const {
       int sum = 0;
-      for (std::size_t i = 0; i < count; ++i) sum += matching::is_convex(mesh, faces[i].side.face()) ? 0 : 1;
+      for (std::size_t i = 0; i < count; ++i)
+        sum += badness(matching::corners_of_quad(mesh, faces[i].side.face()));
       return sum;
     }
-    // True if all parts of the face are valid.
-    [[nodiscard]] bool mends(FaceId f) const {
-      for (std::size_t i = 0; i < count; ++i)
-        if (faces[i].side.face() == f) return invalid_parts(i) == 0;
-      return false;
-    }
-    [[nodiscard]] int invalid_after() const {
+    [[nodiscard]] int badness_after() const {
       int sum = 0;
-      for (std::size_t i = 0; i < count; ++i) sum += invalid_parts(i);
+      for (std::size_t i = 0; i < count; ++i) sum += badness_of_parts(i);
       return sum;
     }
   };
@@ -229,11 +241,12 @@ class RingAround {
 PassReport ring_straight_corners(Mesh& mesh, const NodedLines& lines, const RingOptions& options,
                                  const Progress& progress) {
   const RingAround operation(ConstraintTags::of(mesh), lines, options);
-  const auto invalid = parallel::filter_indices(mesh.face_slots(), [&](std::size_t i) {
-    return mesh.alive(FaceId(i)) && !matching::is_convex(mesh, FaceId(i));
+  const auto bad = parallel::filter_indices(mesh.face_slots(), [&](std::size_t i) {
+    const FaceId f(i);
+    return mesh.alive(f) && mesh.corner_count(f) == 4 && badness(matching::corners_of_quad(mesh, f)) > 0;
   });
   std::vector<FaceId> work;
-  for (const std::uint32_t i : invalid) work.emplace_back(i);
+  for (const std::uint32_t i : bad) work.emplace_back(i);
   PassReport report = run_pass(mesh, operation, std::move(work), PassOptions(), progress);
   report.name = "rings at straight corners";
   return report;

@@ -16,12 +16,13 @@ struct RingOptions {
   bool keep_boundary = false;
 };
 
-// Tries each quad of a planar quad mesh (with ConstraintTags) that is not strictly convex. A ring is made if
-// all parts of the quad are and no more quads are not than before (exact); what it moves elsewhere the next
-// call may mend. Edges are cut in the middle, or nearer to the ringed vertex. With the centre of each quad on
-// its diagonal from there, convex quads give convex quads: the parts on both sides of the diagonal beyond the
-// line through the two cuts. New vertices on constrained edges slide on their piece, all others are free.
-// Smooth afterwards.
+// Tries each quad of a planar quad mesh (with ConstraintTags) that is not strictly convex, or nearly straight
+// at a corner (a sine of 0.02). A ring is made if all parts of the quad are better and no more quads are not
+// convex than before (exact), nor, for one that is nearly straight, as many nearly straight; what it moves
+// elsewhere the next call may mend. Edges are cut in the middle, or nearer to the ringed vertex. With the
+// centre of each quad on its diagonal from there, convex quads give convex quads: the parts on both sides of
+// the diagonal beyond the line through the two cuts. New vertices on constrained edges slide on their piece,
+// all others are free. Smooth afterwards.
 PassReport ring_straight_corners(Mesh& mesh, const NodedLines& lines, const RingOptions& options,
                                  const Progress& progress);
 
