@@ -2,99 +2,14 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
-#include <limits>
-#include <queue>
+#include <span>
 #include <utility>
+#include <vector>
+
+#include "kernels/matching/cheapest_ways.hpp"
 
 namespace quarry::matching {
 namespace {
-
-using Node = std::uint32_t;
-using Cost = std::int64_t;
-
-constexpr Node kNone = TJoin::kNone;
-constexpr Cost kFar = std::numeric_limits<Cost>::max();
-
-// The edges of each node in compressed rows.
-class JoinGraph {
- public:
-  explicit JoinGraph(const JoinProblem& problem) : edges_(problem.edges), begin_(problem.odd.size() + 1, 0) {
-    for (const JoinEdge& edge : edges_)
-      for (const Node r : {edge.a, edge.b}) ++begin_[r + 1];
-    for (std::size_t i = 1; i < begin_.size(); ++i) begin_[i] += begin_[i - 1];
-    at_.resize(2 * edges_.size());
-    std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
-    for (std::uint32_t i = 0; i < edges_.size(); ++i)
-      for (const Node r : {edges_[i].a, edges_[i].b}) at_[next[r]++] = i;
-  }
-
-  [[nodiscard]] std::size_t size() const { return begin_.size() - 1; }
-  [[nodiscard]] std::span<const std::uint32_t> edges_at(Node r) const {
-    return std::span(at_).subspan(begin_[r], begin_[r + 1] - begin_[r]);
-  }
-  [[nodiscard]] Node across(std::uint32_t edge, Node r) const {
-    return edges_[edge].a == r ? edges_[edge].b : edges_[edge].a;
-  }
-  [[nodiscard]] Cost cost(std::uint32_t edge) const { return edges_[edge].cost; }
-
- private:
-  std::span<const JoinEdge> edges_;
-  std::vector<std::uint32_t> begin_, at_;
-};
-
-// The cheapest ways from one node, by Dijkstra's algorithm, as far as they are wanted.
-class CheapestWays {
- public:
-  explicit CheapestWays(const JoinGraph& graph)
-      : graph_(graph), cost_(graph.size(), kFar), through_(graph.size(), kNone) {}
-
-  // Calls enough(node, cost) for one node after the other, by cost and then by number, until it says so.
-  // With forget = false, what was reached before stays as it is: the next tree of a forest.
-  template <class Enough>
-  void find_from(Node start, const Enough& enough, bool forget = true) {
-    if (forget) {
-      for (const Node r : touched_) cost_[r] = kFar;
-      touched_.clear();
-    }
-    Queue queue;
-    reach(queue, start, 0, kNone);
-    while (!queue.empty()) {
-      const auto [cost, r] = queue.top();
-      queue.pop();
-      if (cost > cost_[r]) continue;
-      if (enough(r, cost)) return;
-      for (const std::uint32_t edge : graph_.edges_at(r))
-        if (const Node to = graph_.across(edge, r); cost + graph_.cost(edge) < cost_[to])
-          reach(queue, to, cost + graph_.cost(edge), edge);
-    }
-  }
-
-  [[nodiscard]] bool reached(Node r) const { return cost_[r] != kFar; }
-  [[nodiscard]] Cost cost(Node r) const { return cost_[r]; }
-  // The edge through which a node was reached; none at the start.
-  [[nodiscard]] std::uint32_t through(Node r) const { return through_[r]; }
-  // Puts the edges of the way to a node in, or takes them out.
-  void toggle_way(Node r, std::vector<std::uint8_t>& chosen) const {
-    for (; through_[r] != kNone; r = graph_.across(through_[r], r)) chosen[through_[r]] ^= 1U;
-  }
-
- private:
-  using Queue =
-      std::priority_queue<std::pair<Cost, Node>, std::vector<std::pair<Cost, Node>>, std::greater<>>;
-
-  void reach(Queue& queue, Node r, Cost cost, std::uint32_t edge) {
-    if (cost_[r] == kFar) touched_.push_back(r);
-    cost_[r] = cost;
-    through_[r] = edge;
-    queue.emplace(cost, r);
-  }
-
-  const JoinGraph& graph_;
-  std::vector<Cost> cost_;
-  std::vector<std::uint32_t> through_;
-  std::vector<Node> touched_;
-};
 
 // Which odd nodes are joined, and what their ways cost. The partner `free` may have many.
 struct Pairs {
@@ -120,13 +35,9 @@ class PairExchange {
     Cost cost;
   };
 
-  PairExchange(const JoinProblem& problem, const JoinGraph& graph, const CheapestWays& from_free,
+  PairExchange(const JoinProblem& problem, const JoinGraph& graph, std::span<const Cost> to_free,
                Pairs& pairs)
-      : free_(problem.free),
-        from_free_(from_free),
-        pairs_(pairs),
-        near_(graph.size()),
-        parted_(graph.size()) {
+      : free_(problem.free), to_free_(to_free), pairs_(pairs), near_(graph.size()), parted_(graph.size()) {
     CheapestWays ways(graph);
     for (Node r = 0; r < graph.size(); ++r) {
       if (problem.odd[r] == 0) continue;
@@ -210,7 +121,7 @@ class PairExchange {
         return true;
       }
     }
-    const Cost to_free = from_free_.reached(loose) ? from_free_.cost(loose) : kFar;
+    const Cost to_free = to_free_[loose];
     if (to_free >= gain) return false;
     chain_.push_back({loose, free_, to_free});
     if (waiting == free_ || grow(waiting, free_, gain - to_free, step)) return true;
@@ -232,8 +143,8 @@ class PairExchange {
   }
 
   Node free_;
-  Cost credit_ = 0;  // twice what a pair costs in the mean
-  const CheapestWays& from_free_;
+  Cost credit_ = 0;                // twice what a pair costs in the mean
+  std::span<const Cost> to_free_;  // what the way from each node there costs
   Pairs& pairs_;
   std::vector<std::vector<Near>> near_;  // of odd nodes: others nearby, by cost
   std::vector<std::uint8_t> parted_;
@@ -243,16 +154,14 @@ class PairExchange {
 
 class JoinFinder {
  public:
-  explicit JoinFinder(const JoinProblem& problem)
-      : problem_(problem), graph_(problem), forest_(graph_), from_free_(graph_) {}
+  explicit JoinFinder(const JoinProblem& problem) : problem_(problem), graph_(problem), forest_(graph_) {}
 
   TJoin run() {
     grow_forest();
     TJoin join;
     join.stuck = pair_along_forest();
     if (join.stuck != kNone) return join;
-    from_free_.find_from(problem_.free, [](Node, Cost) { return false; });
-    PairExchange(problem_, graph_, from_free_, pairs_).run();
+    PairExchange(problem_, graph_, to_free_, pairs_).run();
     join.edges = edges_of_ways();
     return join;
   }
@@ -265,6 +174,7 @@ class JoinFinder {
       return false;
     };
     forest_.find_from(problem_.free, visit);
+    to_free_ = forest_.costs();
     for (Node r = 0; r < graph_.size(); ++r)
       if (!forest_.reached(r)) forest_.find_from(r, visit, false);
   }
@@ -302,7 +212,7 @@ class JoinFinder {
       if (problem_.odd[r] == 0) continue;
       const Node to = pairs_.partner[r];
       if (to == problem_.free) {
-        from_free_.toggle_way(r, chosen);
+        forest_.toggle_way(r, chosen);
       } else if (r < to) {
         ways.find_from(r, [&](Node reached, Cost) { return reached == to; });
         ways.toggle_way(to, chosen);
@@ -316,7 +226,8 @@ class JoinFinder {
 
   const JoinProblem& problem_;
   JoinGraph graph_;
-  CheapestWays forest_, from_free_;
+  CheapestWays forest_;
+  std::vector<Cost> to_free_;
   std::vector<Node> order_;  // as the forest grew
   Pairs pairs_;
 };

@@ -41,11 +41,16 @@ Mesh in_space(const Mesh& flat) {
   return build_mesh(std::move(x), std::move(y), std::move(z), faces);
 }
 
+EarReport open_ears(Mesh& mesh) {
+  EarReport report;
+  open_forced_ears(mesh, ConstraintTags::of(mesh), {}, report);
+  return report;
+}
+
 TEST(Ears, AreOpenedSoThatTheQuadAtTheTipIsConvex) {
   Mesh mesh = tagged(wedge());
   const test::Ends boundary = boundary_of(mesh);
-  EarReport report;
-  open_forced_ears(mesh, ConstraintTags::of(mesh), {}, report);
+  const EarReport report = open_ears(mesh);
   EXPECT_EQ(report.forced, 2U);  // and the triangle at 5
   EXPECT_EQ(report.bad, 1U);
   EXPECT_EQ(report.opened, 1U);
@@ -66,8 +71,7 @@ TEST(Ears, StayWhereTheEdgeToSplitIsALine) {
   Mesh mesh = tagged(wedge());
   ConstraintTags::of(mesh).set_constrained(mesh.find_side(VertexId(std::size_t{2}), VertexId(std::size_t{3})),
                                            true);
-  EarReport report;
-  open_forced_ears(mesh, ConstraintTags::of(mesh), {}, report);
+  const EarReport report = open_ears(mesh);
   EXPECT_GT(report.bad, 0U);
   EXPECT_EQ(report.opened, 0U);
   EXPECT_EQ(mesh.count_alive_faces(), 4U);
@@ -75,8 +79,7 @@ TEST(Ears, StayWhereTheEdgeToSplitIsALine) {
 
 TEST(Ears, StayWhereTheOnlyMergeIsGood) {
   Mesh mesh = tagged(test::mesh_of({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {{0, 1, 2}, {0, 2, 3}}));
-  EarReport report;
-  open_forced_ears(mesh, ConstraintTags::of(mesh), {}, report);
+  const EarReport report = open_ears(mesh);
   EXPECT_EQ(report.forced, 2U);
   EXPECT_EQ(report.bad, 0U);
   EXPECT_EQ(mesh.count_alive_faces(), 2U);
@@ -84,8 +87,7 @@ TEST(Ears, StayWhereTheOnlyMergeIsGood) {
 
 TEST(Ears, AreOpenedInSpaceAsInThePlane) {
   Mesh mesh = tagged(in_space(wedge()));
-  EarReport report;
-  open_forced_ears(mesh, ConstraintTags::of(mesh), {}, report);
+  const EarReport report = open_ears(mesh);
   EXPECT_EQ(report.opened, 1U);
   EXPECT_EQ(validate(mesh, GeometryCheck::kNone), "");
   const Vec3 x = mesh.point3(VertexId(std::size_t{6}));
@@ -125,8 +127,7 @@ TEST(Ears, KeepLinesValidityChargeAndParityOnRandomMeshes) {
     const int charge = test::charge_of(made.mesh);
     const std::size_t faces = made.mesh.count_alive_faces();
     const std::size_t folded = count_folded(made.mesh, made.tags);
-    EarReport report;
-    open_forced_ears(made.mesh, made.tags, {}, report);
+    const EarReport report = open_ears(made.mesh);
     EXPECT_EQ(validate(made.mesh, GeometryCheck::kPlanarCorners), "");
     EXPECT_EQ(boundary_of(made.mesh), boundary);
     EXPECT_EQ(constraints_of(made.mesh), lines);
