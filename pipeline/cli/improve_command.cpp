@@ -23,6 +23,7 @@
 #include "pipeline/cli/outputs.hpp"
 #include "pipeline/cli/page_output.hpp"
 #include "pipeline/cli/progress_bar.hpp"
+#include "pipeline/cli/sharpness.hpp"
 #include "pipeline/cli/summary_text.hpp"
 #include "pipeline/improve/improve_report.hpp"
 #include "pipeline/section/section_report.hpp"
@@ -34,7 +35,7 @@ struct ImproveArguments {
   ImproveOptions improve;
   CommonArguments common;
   std::string output, report, picture, page, config;
-  std::string cleanup = "full", elements = "same";
+  std::string cleanup = "full", elements = "same", sharp = "auto";
   std::optional<double> mixed_quality;
   std::vector<std::string> require;
   MeshOutput written;
@@ -49,6 +50,7 @@ void check(ImproveArguments& arguments) {
   if (!arguments.picture.empty()) check_picture_extension(arguments.picture);
   if (!arguments.page.empty()) check_page_extension(arguments.page);
   arguments.improve.cleanup = clean_up_level_of(arguments.cleanup);
+  arguments.improve.sharp_degrees = sharpness_of(arguments.sharp);
   const double mixed_quality = mixed_quality_of(arguments.elements, arguments.mixed_quality);
   if (arguments.elements == "mixed") arguments.improve.mixed_quality = mixed_quality;
   check_irregular_price(arguments.improve.irregular_price, arguments.improve.cleanup);
@@ -94,6 +96,9 @@ void tell(const ImproveArguments& arguments, const ImproveResult& result, const 
   for (const std::string& note : result.notes) log::warn("{}", note);
   log::info("lines: {} tagged edges and the boundary, kept as {} straight pieces between {} fixed nodes",
             result.tagged_edges, result.pieces, result.nodes);
+  if (result.sharp_edges > 0)
+    log::info("{} edges at which the surface turns by {:g} degrees or more are kept too", result.sharp_edges,
+              result.sharp_degrees);
   tell_quality(result.before, "before: ");
   tell_quality(quality, "after: ");
   tell_times(result.times, arguments.common.resolved_threads());
@@ -149,11 +154,14 @@ void add_options(CLI::App& command, ImproveArguments& arguments) {
       ->check(CLI::Range(0.0, 1.0));
   add_irregular_price(command, arguments.improve.irregular_price);
   option("--size", arguments.improve.size, "H", shape,
-         "wanted length of an element's edge; default: sizes stay as they are");
+         "wanted length of an element's edge, in the plane; default: sizes stay as they are");
   option(
       "--tolerance", arguments.improve.tolerance, "D", shape,
       "how far from a straight stretch of a line or of the boundary a vertex may lie and still slide along "
       "it; default: what rounding needs");
+  option("--sharp", arguments.sharp, "auto|DEGREES", shape,
+         "of a mesh in space: edges across which it turns by so many degrees are kept; auto (default): from "
+         "what the mesh itself tells");
   const char* output = "Output";
   option("-o,--output", arguments.output, "OUT", output, "the mesh to write: " + writable_mesh_formats());
   option("--report", arguments.report, "FILE.json", output, "counts, times, quality before and after; JSON");

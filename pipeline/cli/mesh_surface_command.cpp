@@ -12,7 +12,6 @@
 #include "engine/mesh/pinch.hpp"
 #include "io/lines/companion_file.hpp"
 #include "io/mesh/mesh_format.hpp"
-#include "io/number_text.hpp"
 #include "io/page/page.hpp"
 #include "io/picture/picture.hpp"
 #include "kernels/quality/face.hpp"
@@ -22,6 +21,7 @@
 #include "pipeline/cli/outputs.hpp"
 #include "pipeline/cli/page_output.hpp"
 #include "pipeline/cli/progress_bar.hpp"
+#include "pipeline/cli/sharpness.hpp"
 #include "pipeline/cli/summary_text.hpp"
 #include "pipeline/report/input_hash.hpp"
 #include "pipeline/section/section_report.hpp"
@@ -66,15 +66,6 @@ void check_options_of_matching(const MeshArguments& arguments) {
   if (arguments.keep_boundary && arguments.elements != "tri" && !matches)
     throw Error(ErrorKind::kUsage,
                 "--keep-boundary needs --quads matching: fields and clusters halve every edge");
-}
-
-std::optional<double> sharpness_of(const std::string& text) {
-  if (text == "auto") return std::nullopt;
-  const std::optional<double> degrees = parse_finite(text);
-  if (!degrees || !(*degrees > 0 && *degrees <= 180))
-    throw Error(ErrorKind::kUsage,
-                fmt::format("--sharp {}: give auto, or degrees above 0 and up to 180", text));
-  return degrees;
 }
 
 SurfaceOptions options_of(const MeshArguments& arguments) {

@@ -18,7 +18,9 @@
 #include "kernels/smooth/optimise.hpp"
 #include "kernels/smooth/optimise_shape.hpp"
 #include "kernels/smooth/square_corners.hpp"
+#include "pipeline/improve/clean_up_floor.hpp"
 #include "pipeline/improve/group_labels.hpp"
+#include "pipeline/improve/improve_surface.hpp"
 #include "pipeline/improve/input_size.hpp"
 #include "pipeline/improve/tagged_lines.hpp"
 #include "pipeline/improve/untangle.hpp"
@@ -33,8 +35,6 @@ constexpr int kCornerSweeps = 20;
 // What areas count beside angles: twice as much as in a mesh of quarry's own, since those of other programs
 // are more even than what clean-up makes of them.
 constexpr double kEvenness = 0.5;
-// Clean-up keeps to the smallest scaled Jacobian that it finds up to this: more would leave it nothing to do.
-constexpr double kHighestFloor = 0.6;
 
 void require_usable(const ImproveOptions& options) {
   if (options.size && !(*options.size > 0 && std::isfinite(*options.size)))
@@ -46,15 +46,8 @@ void require_usable(const ImproveOptions& options) {
                             *options.tolerance));
 }
 
-void require_planar(const std::string& path, const ReadCells& cells) {
-  const auto off = std::find_if(cells.z.begin(), cells.z.end(), [](double z) { return z != 0; });
-  if (off == cells.z.end()) return;
-  const auto i = static_cast<std::size_t>(off - cells.z.begin());
-  throw Error(
-      ErrorKind::kGeometry,
-      fmt::format("{}: point {} at ({:.10g}, {:.10g}, {:.10g}) does not lie in the plane z = 0: surfaces "
-                  "cannot be improved yet",
-                  path, i, cells.x[i], cells.y[i], cells.z[i]));
+bool is_planar(const ReadCells& cells) {
+  return std::all_of(cells.z.begin(), cells.z.end(), [](double z) { return z == 0; });
 }
 
 std::string place_of(const Mesh& mesh, FaceId face) {
@@ -102,12 +95,11 @@ Lengths lengths_of_edges(const Mesh& mesh) {
 
 class ImproveJob {
  public:
-  ImproveJob(const ImproveOptions& options, const Progress& progress)
-      : options_(options), progress_(progress), clock_(progress), prices_(options.irregular_price) {}
+  ImproveJob(const ImproveOptions& options, StageClock& clock, const Progress& progress)
+      : options_(options), progress_(progress), clock_(clock), prices_(options.irregular_price) {}
 
-  ImproveResult run() {
-    clock_.start("reading");
-    read();
+  ImproveResult run(ReadCells cells) {
+    take(std::move(cells));
     clock_.start("binding");
     lines_ = bind_lines(result_.mesh, tagged_, result_.tolerance);
     lengths_ = lengths_of_pieces(lines_, result_.mesh);
@@ -132,11 +124,7 @@ class ImproveJob {
   }
 
  private:
-  void read() {
-    ReadCells cells = read_cells(options_.input);
-    require_planar(options_.input, cells);
-    if (cells.faces.empty())
-      throw Error(ErrorKind::kGeometry, fmt::format("{}: the mesh has no face to improve", options_.input));
+  void take(ReadCells cells) {
     result_.turned = turn_counterclockwise(options_.input, cells);
     if (result_.turned > 0)
       result_.notes.push_back(fmt::format("{}: {} of {} faces were clockwise and are turned", options_.input,
@@ -201,9 +189,7 @@ class ImproveJob {
   void clean_up_quads() {
     CleanUpOptions options;
     options.level = options_.cleanup;
-    // A mesh without bad faces gets none for the sake of its valences.
-    const double floor =
-        std::clamp(result_.before.all.scaled_jacobian.min, options.patches.least_jacobian, kHighestFloor);
+    const double floor = clean_up_floor(result_.before, options.patches.least_jacobian);
     options.local.price = options.patches.price = prices_.price(lines_.lines);
     options.local.floor = floor;
     options.patches.least_jacobian = floor;
@@ -267,7 +253,7 @@ class ImproveJob {
 
   const ImproveOptions& options_;
   const Progress& progress_;
-  StageClock clock_;
+  StageClock& clock_;
   PriceSource prices_;
   ImproveResult result_;
   std::vector<TaggedEdge> tagged_;
@@ -282,7 +268,13 @@ class ImproveJob {
 
 ImproveResult improve_mesh(const ImproveOptions& options, const Progress& progress) {
   require_usable(options);
-  return ImproveJob(options, progress).run();
+  StageClock clock(progress);
+  clock.start("reading");
+  ReadCells cells = read_cells(options.input);
+  if (cells.faces.empty())
+    throw Error(ErrorKind::kGeometry, fmt::format("{}: the mesh has no face to improve", options.input));
+  if (!is_planar(cells)) return improve_surface(options, std::move(cells), clock, progress);
+  return ImproveJob(options, clock, progress).run(std::move(cells));
 }
 
 }  // namespace quarry

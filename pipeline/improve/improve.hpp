@@ -1,6 +1,7 @@
 // The improve job: a finished mesh of any tool in, the same domain with better faces out. Edges that bear a
-// tag, interfaces between regions and the boundary stay where they are; vertices on them slide along straight
-// stretches, and corners, ends and junctions stay fixed. Nothing is written here. Meshes of the plane only.
+// tag, interfaces between regions and the boundary stay where they are, and in space the edges at which the
+// surface turns sharply; vertices on them slide along straight stretches, and corners, ends and junctions
+// stay fixed. Nothing is written here.
 #pragma once
 
 #include <cstddef>
@@ -33,6 +34,8 @@ struct ImproveOptions {
   // slides, in input units; unset: 1e-9 of the longer side of the box, so that only what is straight as it
   // was written counts as straight.
   std::optional<double> tolerance = {};
+  // Of a mesh in space: from which angle between faces on an edge is sharp, as in FeatureOptions.
+  std::optional<double> sharp_degrees = {};
 };
 
 struct ImproveResult {
@@ -48,6 +51,8 @@ struct ImproveResult {
   std::size_t tagged_edges = 0;  // edges of the input that bear a tag
   std::size_t nodes = 0;         // vertices that stay fixed
   std::size_t pieces = 0;        // straight stretches
+  std::size_t sharp_edges = 0;   // of a mesh in space, that no file tags
+  double sharp_degrees = 0;      // as used
   CleanUpReport clean_up;
   SweepReport smoothing, squaring, corners;
   LowQuadReport low_quads;         // with mixed_quality
@@ -56,8 +61,8 @@ struct ImproveResult {
 };
 
 // Throws Error(kInput) for a file that cannot be read or makes no mesh, Error(kUsage) for options that make
-// no sense, Error(kGeometry) for a mesh in space, one without faces, and one that stays invalid, with the
-// place.
+// no sense (size, prices and mixed elements in space among them), Error(kGeometry) for a mesh without faces,
+// and one that stays invalid, with the place.
 [[nodiscard]] ImproveResult improve_mesh(const ImproveOptions& options, const Progress& progress);
 
 }  // namespace quarry

@@ -21,6 +21,7 @@ std::vector<ReportItem> resolved_options(const ImproveOptions& options, const Im
   if (options.size) items.push_back({"size", *options.size});
   if (!options.irregular_price.empty())
     items.push_back({"irregular-price", price_text(options.irregular_price)});
+  if (options.sharp_degrees) items.push_back({"sharp", *options.sharp_degrees});
   if (options.mixed_quality) {
     items.push_back({"elements", std::string("mixed")});
     items.push_back({"mixed-quality", *options.mixed_quality});
@@ -49,6 +50,7 @@ JobReport report_improvement(const ImproveOptions& options, const ImproveResult&
       {"tagged_edges", whole(result.tagged_edges)},   {"fixed_nodes", whole(result.nodes)},
       {"straight_pieces", whole(result.pieces)},      {"turned_faces", whole(result.turned)},
       {"invalid_faces_before", whole(result.invalid)}};
+  if (!result.mesh.planar()) report.counts.push_back({"sharp_edges", whole(result.sharp_edges)});
   if (options.mixed_quality) add_low_quads(report.counts, result.low_quads);
   report.quality = std::move(quality);
   report.quality_before = result.before;

@@ -5,13 +5,13 @@
 #include <tuple>
 #include <utility>
 
+#include "engine/geometry/straight_runs.hpp"
 #include "engine/mesh/build.hpp"
 #include "engine/mesh/domain.hpp"
 #include "engine/mesh/pinch.hpp"
 #include "engine/parallel/parallel.hpp"
 #include "io/mesh/mesh_file.hpp"
 #include "pipeline/improve/side_chains.hpp"
-#include "pipeline/improve/straight_runs.hpp"
 
 namespace quarry {
 namespace {

@@ -41,11 +41,6 @@ bool lies_upside_down(const Mesh& mesh, const SurfaceModel& model, FaceId f, dou
   return !model.faces_along(middle, normal, kSlack * size, reach);
 }
 
-std::int32_t number_of(const CurveNetwork& network, PieceId curve, std::size_t lines) {
-  const std::int32_t line = network.curves[curve].line;
-  return line >= 0 ? line : static_cast<std::int32_t>(lines + curve.value());
-}
-
 // The edges in which sheets end, by the places of their ends: one sheet does at a rim, several where they
 // meet.
 class OuterEdges {
@@ -122,7 +117,7 @@ void set_surface_regions(Mesh& mesh, const std::vector<std::int32_t>& groups, co
   }
 }
 
-void finish_surface_mesh(Mesh& mesh, const CurveNetwork& network, std::size_t lines) {
+void finish_surface_mesh(Mesh& mesh, const CurveNetwork& network, const NumbersOfCurve& numbers) {
   const ConstraintTags tags = ConstraintTags::of(mesh);
   auto constraint = mesh.add_tag<EdgeId, std::int32_t>("constraint", -1);
   auto kind = mesh.add_tag<EdgeId, std::int32_t>("kind", kInteriorConstraint);
@@ -135,11 +130,14 @@ void finish_surface_mesh(Mesh& mesh, const CurveNetwork& network, std::size_t li
       const VertexId a = mesh.origin(s);
       const VertexId b = mesh.target(s);
       if (!t.valid() && !outer.take(s)) continue;
-      const EdgeId e = mesh.add_edge(a, b);
+      const bool rim = !t.valid() && !outer.is_shared(s);
       const Vec3 middle = 0.5 * (mesh.point3(a) + mesh.point3(b));
-      const PieceId curve = network.under_edge(tags.support[a], tags.support[b], middle);
-      constraint[e] = curve.valid() ? number_of(network, curve, lines) : -1;
-      if (!t.valid() && !outer.is_shared(s)) kind[e] = kOuterBoundary;
+      for (const std::int32_t number :
+           numbers(network.under_edge(tags.support[a], tags.support[b], middle), rim)) {
+        const EdgeId e = mesh.add_edge(a, b);
+        constraint[e] = number;
+        if (rim) kind[e] = kOuterBoundary;
+      }
     }
   }
   auto pinch = mesh.add_tag<VertexId, std::uint8_t>(kPinchTag);

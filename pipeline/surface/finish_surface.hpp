@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "engine/mesh/mesh.hpp"
@@ -20,8 +21,12 @@ namespace quarry {
 // groups: of the triangles of the model.
 void set_surface_regions(Mesh& mesh, const std::vector<std::int32_t>& groups, const SurfaceModel& model);
 
+// What edges on a curve become: an edge entity with each of these as its tag "constraint". rim: the curve is
+// the end of one sheet alone. Where no curve is known under an edge, the curve is none.
+using NumbersOfCurve = std::function<std::vector<std::int32_t>(PieceId curve, bool rim)>;
+
 // Edge entities and points that sheets share, as SurfaceResult has them, in the place of what the kernels
-// work with. lines: how many there are; curves of other features are numbered from there on.
-void finish_surface_mesh(Mesh& mesh, const CurveNetwork& network, std::size_t lines);
+// work with.
+void finish_surface_mesh(Mesh& mesh, const CurveNetwork& network, const NumbersOfCurve& numbers);
 
 }  // namespace quarry

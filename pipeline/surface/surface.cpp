@@ -218,7 +218,9 @@ class SurfaceJob {
     find_invalid(model, sizes);
     if (!invalid_.empty()) return ElementsMade::kAll;
     set_surface_regions(elements, repaired.surface.groups, model);
-    finish_surface_mesh(elements, network, result_.lines.lines.size());
+    finish_surface_mesh(elements, network, [&](PieceId curve, bool) {
+      return std::vector<std::int32_t>{curve.valid() ? number_of(network, curve) : -1};
+    });
     return ElementsMade::kAll;
   }
 
@@ -236,6 +238,12 @@ class SurfaceJob {
     std::vector<LineEdge> lines = imprint_input(repaired, options_, result_);
     if (halved) halve_joins(repaired);
     return lines;
+  }
+
+  // Curves that are part of no line are numbered behind the lines.
+  [[nodiscard]] std::int32_t number_of(const CurveNetwork& network, PieceId curve) const {
+    const std::int32_t line = network.curves[curve].line;
+    return line >= 0 ? line : static_cast<std::int32_t>(result_.lines.lines.size() + curve.value());
   }
 
   void find_size(const TriangleSurface& surface) {

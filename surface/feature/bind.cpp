@@ -31,7 +31,7 @@ ConstraintTags bind_features(Mesh& sheets, const CurveNetwork& network) {
     tags.support[v] = fans[point] > 1 && !support[point].is_node() ? Support::fixed() : support[point];
   });
   parallel::for_each(sheets.face_slots(), [&](std::size_t f) {
-    for (int k = 0; k < 3; ++k) {
+    for (int k = 0; k < sheets.corner_count(FaceId(f)); ++k) {
       const SideId s(FaceId(f), k);
       const std::uint32_t a = point_of[sheets.origin(s)];
       const std::uint32_t b = point_of[sheets.target(s)];

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "engine/geometry/space_segment.hpp"
+#include "engine/geometry/straight_runs.hpp"
 
 namespace quarry {
 namespace {
@@ -68,10 +69,31 @@ class Turns {
   std::vector<double> along_;
 };
 
+// A closed course may begin in the middle of a straight stretch.
+std::vector<std::uint32_t> bends_between(std::span<const Vec3> chain, ChainEnds ends, double straightness) {
+  std::vector<std::uint32_t> bends = find_bends(chain, straightness);
+  bends.pop_back();
+  if (ends == ChainEnds::kNodes) {
+    bends.erase(bends.begin());
+    return bends;
+  }
+  const std::uint32_t first = bends[1];
+  const auto count = static_cast<std::uint32_t>(chain.size() - 1);
+  std::vector<Vec3> course(chain.begin(), chain.end() - 1);
+  std::rotate(course.begin(), course.begin() + first, course.end());
+  course.push_back(course.front());
+  bends = find_bends(course, straightness);
+  bends.pop_back();
+  for (std::uint32_t& bend : bends) bend = (bend + first) % count;
+  std::sort(bends.begin(), bends.end());
+  return bends;
+}
+
 }  // namespace
 
 std::vector<std::uint32_t> find_corners(std::span<const Vec3> chain, ChainEnds ends,
                                         const FeatureOptions& options) {
+  if (options.straightness) return bends_between(chain, ends, *options.straightness);
   struct Corner {
     double turn;
     std::uint32_t at;

@@ -20,7 +20,7 @@ enum class ChainEnds : std::uint8_t {
 // scale: its two edges), so that teeth of a ragged rim are no corners. The strongest turns win; where a
 // corner lies nearer than `size` along the chain to a stronger one, or to a node, it is one only if it
 // turns as much between chords no longer than that, and a straight way past it would miss it by a tenth of
-// `size`.
+// `size`. With a straightness in the options: every bend.
 [[nodiscard]] std::vector<std::uint32_t> find_corners(std::span<const Vec3> chain, ChainEnds ends,
                                                       const FeatureOptions& options);
 

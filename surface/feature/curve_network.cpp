@@ -15,13 +15,14 @@ namespace {
 class CurveBuilder {
  public:
   CurveBuilder(const TriangleSurface& surface, std::span<const FeatureEdge> features,
-               const FeatureOptions& options)
+               const FeatureOptions& options, std::span<const std::uint32_t> more_nodes)
       : surface_(surface),
         features_(features),
         options_(options),
         at_(surface.points.size(), features.size(), [&](std::size_t e) { return features[e].ends; }),
         node_(surface.points.size(), 0) {
     for (const FeatureEdge& feature : features) ends_.push_back(feature.ends);
+    for (const std::uint32_t p : more_nodes) node_[p] = 1;
   }
 
   CurveNetwork run() {
@@ -34,12 +35,18 @@ class CurveBuilder {
     for (const std::uint32_t corner : corners) node_[corner] = 1;
     for (const std::uint32_t cusp : find_cusps(surface_, bound(), options_.size)) node_[cusp] = 1;
     CurveNetwork network;
+    std::vector<NodeId> node_at(node_.size());
     for (std::uint32_t p = 0; p < node_.size(); ++p)
-      if (node_[p] != 0) network.nodes.push_back(p);
+      if (node_[p] != 0) node_at[p] = network.nodes.push_back(p);
+    network.curves_at.resize(network.nodes.size());
     for (EdgeChain& chain : edge_chains(ends_, node_)) {
       Polyline3 course(points_of(chain.points));
       const FeatureEdge& first = features_[chain.first_edge];
-      network.curves.push_back({std::move(chain.points), first.kind, first.line, std::move(course)});
+      const NodeId from = node_at[chain.points.front()], to = node_at[chain.points.back()];
+      const PieceId curve =
+          network.curves.push_back({std::move(chain.points), first.kind, first.line, std::move(course)});
+      if (from.valid()) network.curves_at[from].push_back(curve);
+      if (to.valid() && to != from) network.curves_at[to].push_back(curve);
     }
     return network;
   }
@@ -64,7 +71,7 @@ class CurveBuilder {
       const auto alike = [&](const FeatureEdge& a, const FeatureEdge& b) {
         return a.kind == b.kind && a.line == b.line;
       };
-      node_[p] = edges.size() != 2 || !alike(features_[edges[0]], features_[edges[1]]) ? 1 : 0;
+      if (edges.size() != 2 || !alike(features_[edges[0]], features_[edges[1]])) node_[p] = 1;
     }
   }
 
@@ -86,7 +93,7 @@ PieceId CurveNetwork::under_edge(Support a, Support b, Vec3 middle) const {
   const std::uint32_t to = nodes[b.node()];
   PieceId best;
   double least = 0;
-  for (const PieceId id : IdRange<PieceId>(curves.size())) {
+  for (const PieceId id : curves_at[a.node()]) {
     const std::vector<std::uint32_t>& points = curves[id].points;
     if (std::minmax(points.front(), points.back()) != std::minmax(from, to)) continue;
     const Vec3 d = project(id, middle) - middle;
@@ -98,8 +105,8 @@ PieceId CurveNetwork::under_edge(Support a, Support b, Vec3 middle) const {
 }
 
 CurveNetwork make_curve_network(const TriangleSurface& surface, std::span<const FeatureEdge> features,
-                                const FeatureOptions& options) {
-  return CurveBuilder(surface, features, options).run();
+                                const FeatureOptions& options, std::span<const std::uint32_t> more_nodes) {
+  return CurveBuilder(surface, features, options, more_nodes).run();
 }
 
 }  // namespace quarry

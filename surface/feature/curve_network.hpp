@@ -24,12 +24,13 @@ struct FeatureCurve {
 struct CurveNetwork {
   IdVector<NodeId, std::uint32_t> nodes;  // points of the surface, ascending
   IdVector<PieceId, FeatureCurve> curves;
+  IdVector<NodeId, std::vector<PieceId>> curves_at;  // that end at a node, ascending
 
   // The point of the curve nearest to p.
   [[nodiscard]] Vec3 project(PieceId curve, Vec3 p) const { return curves[curve].course.nearest(p); }
   // The curve under a constrained edge whose ends have these supports and whose middle lies there. Between
   // two nodes: of the curves that join them the one that comes nearest to the middle. None where an end is
-  // fixed to a place of its own.
+  // fixed to a place of its own. Takes time by the curves that end at the first node.
   [[nodiscard]] PieceId under_edge(Support a, Support b, Vec3 middle) const;
   // Whether an outer edge of which the same is known may be halved: not where sheets meet, as the others know
   // nothing of the new vertex, nor between places that are fixed.
@@ -42,9 +43,10 @@ struct CurveNetwork {
 // Nodes are the points at which other than two features meet, or two of different kinds or lines, the
 // corners of chains: places where a chain turns by the stated angle over the stated length, strongest first
 // and none within that length of another node, and cusps, at which no curve ends
-// (surface/feature/cusps.hpp). A closed curve may have no node.
+// (surface/feature/cusps.hpp); and the points that are named besides. A closed curve may have no node.
 [[nodiscard]] CurveNetwork make_curve_network(const TriangleSurface& surface,
                                               std::span<const FeatureEdge> features,
-                                              const FeatureOptions& options);
+                                              const FeatureOptions& options,
+                                              std::span<const std::uint32_t> more_nodes = {});
 
 }  // namespace quarry

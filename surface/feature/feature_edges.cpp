@@ -29,10 +29,19 @@ double turn_beside(const SurfaceEdges& edges, const std::vector<double>& angles,
   return turn;
 }
 
+// The angles, but for edges within a face: these turn by nothing.
+std::vector<double> turns_between_faces(const TriangleSurface& surface, const SurfaceEdges& edges,
+                                        std::vector<double> angles, std::span<const SheetJoin> within) {
+  if (within.empty()) return angles;
+  for (std::size_t e = 0; e < edges.count(); ++e)
+    if (std::binary_search(within.begin(), within.end(), ends_of(surface, edges, e))) angles[e] = 0;
+  return angles;
+}
+
 }  // namespace
 
 FeatureEdges find_feature_edges(const RepairedSurface& repaired, const FeatureOptions& options,
-                                std::span<const LineEdge> lines) {
+                                std::span<const LineEdge> lines, std::span<const SheetJoin> within) {
   const auto line_of = [&](const SheetJoin& ends) {
     const auto found =
         std::lower_bound(lines.begin(), lines.end(), ends,
@@ -42,7 +51,8 @@ FeatureEdges find_feature_edges(const RepairedSurface& repaired, const FeatureOp
   const TriangleSurface& surface = repaired.surface;
   const SurfaceEdges edges(surface);
   const std::vector<double> angles = dihedral_angles(surface, edges);
-  const double sharp_degrees = options.sharp_degrees.value_or(find_sharpness(surface, edges, angles));
+  const std::vector<double> turns = turns_between_faces(surface, edges, angles, within);
+  const double sharp_degrees = options.sharp_degrees.value_or(find_sharpness(surface, edges, turns));
   const double sharp = sharp_degrees * kDegree;
   const double shortest = options.shortest_chain * options.size;
   std::vector<SharpEdge> nearly_sharp;
@@ -59,13 +69,13 @@ FeatureEdges find_feature_edges(const RepairedSurface& repaired, const FeatureOp
       features.push_back({ends, FeatureKind::kLine, line});
     } else if (options.group_borders && surface.groups[sides[0] / 3] != surface.groups[sides[1] / 3]) {
       features.push_back({ends, FeatureKind::kBorder});
-    } else if (angles[e] >= options.weakest_share * sharp) {
+    } else if (turns[e] >= options.weakest_share * sharp) {
       // An edge that is a chain by itself is no noise, whatever the edges beside it are: each face of a
       // polyhedron may be a single triangle.
       const double size = length(surface.points[ends[1]] - surface.points[ends[0]]);
       const bool no_noise =
-          (shortest > 0 && size >= shortest) || angles[e] >= options.contrast * turn_beside(edges, angles, e);
-      nearly_sharp.push_back({ends, angles[e] >= sharp && no_noise});
+          (shortest > 0 && size >= shortest) || turns[e] >= options.contrast * turn_beside(edges, angles, e);
+      nearly_sharp.push_back({ends, turns[e] >= sharp && no_noise});
     }
   }
   std::vector<std::uint8_t> bound(surface.points.size(), 0);

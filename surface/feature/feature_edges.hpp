@@ -37,8 +37,10 @@ struct FeatureEdges {
 // All features, ascending by their ends. Of several kinds an edge has the last in the order of FeatureKind.
 // Sharp edges are found with hysteresis: a chain begins at an edge that is sharp and goes on along edges that
 // are nearly so; what stays short, or hangs loose by a short end, is left out.
-// lines: edges that lines go along, ascending.
+// lines: edges that lines go along, ascending. within: edges that divide a face of more than three corners
+// into triangles, ascending: none of them is sharp.
 [[nodiscard]] FeatureEdges find_feature_edges(const RepairedSurface& repaired, const FeatureOptions& options,
-                                              std::span<const LineEdge> lines = {});
+                                              std::span<const LineEdge> lines = {},
+                                              std::span<const SheetJoin> within = {});
 
 }  // namespace quarry

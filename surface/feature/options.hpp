@@ -20,6 +20,9 @@ struct FeatureOptions {
   double shortest_chain = 4;
   // A chain that turns by at least so many degrees, from one `size` before to one behind, has a corner there.
   double corner_degrees = 50;
+  // Set: a chain has corners, in place of those, wherever it lies farther than this (in input units) from the
+  // straight stretches between them (engine/geometry/straight_runs.hpp): what is bent keeps its points.
+  std::optional<double> straightness = {};
   // The wanted edge of the mesh, in input units: the scale at which chains are judged. 0: single edges are.
   double size = 0;
   // Borders between groups of triangles are features.

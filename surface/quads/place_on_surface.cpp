@@ -7,24 +7,10 @@
 #include "engine/parallel/parallel.hpp"
 #include "kernels/smooth/sweep.hpp"
 #include "surface/quads/face_verdict.hpp"
+#include "surface/quads/normal_around.hpp"
 
 namespace quarry {
 namespace {
-
-// Twice the area of a face, along its normal.
-Vec3 area_vector(const Mesh& mesh, FaceId f) {
-  const Vec3 a = mesh.point3(mesh.corner(f, 0));
-  const Vec3 b = mesh.point3(mesh.corner(f, 1));
-  const Vec3 c = mesh.point3(mesh.corner(f, 2));
-  return mesh.corner_count(f) == 3 ? cross(b - a, c - a) : cross(c - a, mesh.point3(mesh.corner(f, 3)) - b);
-}
-
-Vec3 normal_around(const Mesh& mesh, VertexId v) {
-  Vec3 sum;
-  for_each_side_around(mesh, v, [&](SideId s) { sum = sum + area_vector(mesh, s.face()); });
-  const double size = length(sum);
-  return size > 0 ? (1 / size) * sum : Vec3{0, 0, 1};
-}
 
 // What subdivide_in_space left fixed in the middle of a feature between two nodes slides on that feature; not
 // on a join, where the other sheets know nothing of it.

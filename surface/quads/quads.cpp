@@ -31,19 +31,30 @@ constexpr int kSlideRounds = 2, kSlideSweeps = 5;
 
 class SurfaceQuads {
  public:
-  SurfaceQuads(Mesh&& triangles, const SurfaceModel& model, const CurveNetwork& network,
+  SurfaceQuads(Mesh&& mesh, const SurfaceModel& model, const CurveNetwork& network,
                const SurfaceQuadOptions& options, SurfaceQuadReport& report, const Progress& progress)
-      : mesh_(std::move(triangles)),
+      : mesh_(std::move(mesh)),
         model_(model),
         network_(network),
         options_(options),
         report_(report),
         progress_(progress) {}
 
-  Mesh run() {
+  Mesh make() {
     make_quads();
     smooth(options_.first_sweeps);
     if (options_.matching) open_corners();
+    return improved();
+  }
+
+  Mesh improve() {
+    place();
+    smooth(options_.first_sweeps);
+    return improved();
+  }
+
+ private:
+  Mesh improved() {
     if (options_.cleanup != CleanUpLevel::kNone) clean_up();
     slide_and_smooth();
     mend();
@@ -51,7 +62,6 @@ class SurfaceQuads {
     return std::move(mesh_);
   }
 
- private:
   void make_quads() {
     const BalanceGuard balance(mesh_);
     if (options_.matching)
@@ -59,6 +69,10 @@ class SurfaceQuads {
     else
       pair_and_halve();
     balance.check("making quads", mesh_, GeometryCheck::kNone);
+    place();
+  }
+
+  void place() {
     place_on_surface(mesh_, ConstraintTags::of(mesh_), model_, network_, progress_);
     compact(mesh_, EntityOrder::kHilbert);
     mend();
@@ -188,7 +202,13 @@ class SurfaceQuads {
 Mesh make_surface_quads(Mesh&& triangles, const SurfaceModel& model, const CurveNetwork& network,
                         const SurfaceQuadOptions& options, SurfaceQuadReport& report,
                         const Progress& progress) {
-  return SurfaceQuads(std::move(triangles), model, network, options, report, progress).run();
+  return SurfaceQuads(std::move(triangles), model, network, options, report, progress).make();
+}
+
+Mesh improve_surface_quads(Mesh&& mesh, const SurfaceModel& model, const CurveNetwork& network,
+                           const SurfaceQuadOptions& options, SurfaceQuadReport& report,
+                           const Progress& progress) {
+  return SurfaceQuads(std::move(mesh), model, network, options, report, progress).improve();
 }
 
 }  // namespace quarry

@@ -57,4 +57,11 @@ struct SurfaceQuadReport {
                                       const CurveNetwork& network, const SurfaceQuadOptions& options,
                                       SurfaceQuadReport& report, const Progress& progress);
 
+// The same from a mesh of quads, or of quads and triangles, that lies on its surface: clean-up, smoothing and
+// reach as above, sizes from place to place as they are. mesh: as bind_features leaves it, consumed. Of the
+// options and the report what concerns the making of quads is not used.
+[[nodiscard]] Mesh improve_surface_quads(Mesh&& mesh, const SurfaceModel& model, const CurveNetwork& network,
+                                         const SurfaceQuadOptions& options, SurfaceQuadReport& report,
+                                         const Progress& progress);
+
 }  // namespace quarry

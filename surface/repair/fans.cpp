@@ -13,11 +13,9 @@ std::uint32_t target(std::uint32_t side) { return side - side % 3 + (side + 1) %
 Fans::Fans(const TriangleSurface& surface, const SurfaceEdges& edges) : root_(3 * surface.triangles.size()) {
   std::iota(root_.begin(), root_.end(), 0U);
   for (std::size_t e = 0; e < edges.count(); ++e) {
-    const auto sides = edges.sides(e);
-    if (sides.size() != 2) continue;
-    const std::uint32_t a = sides[0];
-    const std::uint32_t b = sides[1];
-    if (SurfaceEdges::ends(surface, a).first == SurfaceEdges::ends(surface, b).first) continue;  // a seam
+    if (edges.use_of(surface, e) != EdgeUse::kInner) continue;
+    const std::uint32_t a = edges.sides(e)[0];
+    const std::uint32_t b = edges.sides(e)[1];
     join(a, target(b));
     join(target(a), b);
   }

@@ -178,16 +178,13 @@ class Repair {
     const SurfaceEdges edges(surface_);
     RepairedSurface result;
     for (std::uint32_t e = 0; e < edges.count(); ++e) {
-      const auto sides = edges.sides(e);
-      if (sides.size() == 1) {
-        ++report_.open_edges;
-        continue;
-      }
-      const auto [a, b] = SurfaceEdges::ends(surface_, sides[0]);
-      const bool seam = sides.size() == 2 && SurfaceEdges::ends(surface_, sides[1]).first == a;
-      if (sides.size() == 2 && !seam) continue;
-      (seam ? report_.seams : report_.branches).add(0.5 * (surface_.points[a] + surface_.points[b]));
-      result.joins.push_back({std::min(a, b), std::max(a, b)});
+      const EdgeUse use = edges.use_of(surface_, e);
+      if (use == EdgeUse::kRim) ++report_.open_edges;
+      if (use == EdgeUse::kRim || use == EdgeUse::kInner) continue;
+      const auto [a, b] = SurfaceEdges::ends(surface_, edges.sides(e)[0]);
+      RepairCount& count = use == EdgeUse::kSeam ? report_.seams : report_.branches;
+      count.add(0.5 * (surface_.points[a] + surface_.points[b]));
+      result.joins.push_back(join_of(a, b));
     }
     for (const SurfaceTriangle& t : surface_.triangles)
       if (doubled_area(surface_, t) == Vec3()) report_.flat.add(middle(t));

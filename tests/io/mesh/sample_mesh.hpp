@@ -1,7 +1,8 @@
-// A finished planar mesh as the pipeline hands it over: quads and some triangles, two regions, constraint
-// edges (some of two input lines), the outer boundary.
+// A finished mesh as the pipeline hands it over, planar or with hills: quads and some triangles, two regions,
+// constraint edges (some of two input lines), the outer boundary.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -18,7 +19,14 @@ struct SampleMesh {
   bool triangles = true;    // cut every seventh quad in two
   Vec2 corner{0, 0};
   std::uint64_t seed = 1;
+  double relief = 0;  // how high its hills are, in its sides; 0: planar
 };
+
+inline double sample_height(const SampleMesh& sample, double x, double y) {
+  const double n = sample.size;
+  return sample.relief * n * std::sin(6 * (x - sample.corner.x) / n) *
+         std::cos(5 * (y - sample.corner.y) / n);
+}
 
 inline std::uint32_t sample_vertex(const SampleMesh& sample, std::uint32_t i, std::uint32_t j) {
   return j * (sample.size + 1) + i;
@@ -72,7 +80,10 @@ inline Mesh make_sample_mesh(const SampleMesh& sample) {
       }
       while (regions.size() < faces.size()) regions.push_back(i < n / 2 ? 0 : 1);
     }
-  Mesh mesh = build_mesh(std::move(x), std::move(y), faces);
+  std::vector<double> z;
+  for (std::size_t v = 0; v < x.size(); ++v) z.push_back(sample_height(sample, x[v], y[v]));
+  Mesh mesh = sample.relief == 0 ? build_mesh(std::move(x), std::move(y), faces)
+                                 : build_mesh(std::move(x), std::move(y), std::move(z), faces);
   mesh.add_tag<FaceId, std::int32_t>("region").values().raw() = std::move(regions);
   add_sample_edges(sample, mesh);
   return mesh;

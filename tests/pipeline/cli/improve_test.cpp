@@ -168,8 +168,9 @@ TEST_F(ImproveCommand, RefusesInOneLine) {
   expect_failure({input, "-o", output, "--tolerance", "nan"}, 2, "--tolerance");
   expect_failure({folder_ / "none.msh", "-o", output}, 3, "none.msh");
   expect_failure({folder_.write("broken.inp", "*NODE\n1, x\n"), "-o", output}, 3, "broken.inp:2: ");
-  expect_failure({folder_.write("space.obj", "v 0 0 0\nv 1 0 0\nv 1 1 1\nf 1 2 3\n"), "-o", output}, 4,
-                 "surfaces cannot be improved yet");
+  const std::string space = folder_.write("space.obj", "v 0 0 0\nv 1 0 0\nv 1 1 1\nf 1 2 3\n");
+  expect_failure({space, "-o", output, "--size", "1"}, 2, "--size is for meshes of the plane");
+  expect_failure({input, "-o", output, "--sharp", "0"}, 2, "--sharp");
   expect_failure({input, "-o", output, "--require", "min-sj=0.9999", "--quiet"}, 6, "min-sj");
   expect_failure({input, "-o", folder_ / "no/folder/out.vtu"}, 7, "out.vtu");
   EXPECT_EQ(read_text(output), "");

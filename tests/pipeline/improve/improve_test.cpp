@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include <gtest/gtest.h>
 
@@ -13,40 +12,11 @@
 #include "io/mesh/mesh_format.hpp"
 #include "tests/io/mesh/mesh_comparison.hpp"
 #include "tests/io/mesh/sample_mesh.hpp"
+#include "tests/io/mesh/tag_measures.hpp"
 #include "tests/io/mesh/temporary_folder.hpp"
 
 namespace quarry {
 namespace {
-
-using Lengths = std::map<std::pair<std::int32_t, std::int32_t>, double>;
-
-// The length of the edges of each constraint and kind.
-Lengths edge_lengths(const Mesh& mesh) {
-  const MeshFileTags tags(mesh);
-  Lengths lengths;
-  for (const EdgeId e : mesh.edges()) {
-    const auto [a, b] = mesh.edge_ends(e);
-    lengths[{tags.constraint(e), tags.kind(e)}] += distance(mesh.point(a), mesh.point(b));
-  }
-  return lengths;
-}
-
-// The area of the faces of each value of a tag.
-std::map<std::int32_t, double> areas_by(const Mesh& mesh, const char* tag_name) {
-  std::map<std::int32_t, double> areas;
-  const auto tag = mesh.find_tag<FaceId, std::int32_t>(tag_name);
-  for (const FaceId f : mesh.faces()) {
-    const Vec2 a = mesh.point(mesh.corner(f, 0));
-    for (int k = 1; k + 1 < mesh.corner_count(f); ++k)
-      areas[tag[f]] += 0.5 * cross(mesh.point(mesh.corner(f, k)) - a, mesh.point(mesh.corner(f, k + 1)) - a);
-  }
-  return areas;
-}
-
-void expect_near(const auto& found, const auto& wanted) {
-  ASSERT_EQ(found.size(), wanted.size());
-  for (const auto& [key, value] : wanted) EXPECT_NEAR(found.at(key), value, 1e-6 * value);
-}
 
 class Improve : public testing::TestWithParam<const char*> {
  protected:
@@ -186,9 +156,7 @@ TEST_F(ImproveJob, KeepsTaggedEdgesOfQuadsThatItCuts) {
   EXPECT_NEAR(lengths.at({7, 2}), std::hypot(1.0, 0.05), 1e-12);
 }
 
-TEST_F(ImproveJob, RefusesSurfacesAndMeshesWithoutFaces) {
-  expect_error(folder_.file("a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 1\nv 0 1 1\nf 1 2 3 4\n"), ErrorKind::kGeometry,
-               "surfaces cannot be improved yet");
+TEST_F(ImproveJob, RefusesMeshesWithoutFaces) {
   expect_error(folder_.file("b.obj", "v 0 0 0\nv 1 0 0\nl 1 2\n"), ErrorKind::kGeometry, "no face");
 }
 

@@ -1,18 +1,21 @@
-#include "pipeline/improve/straight_runs.hpp"
+#include "engine/geometry/straight_runs.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "engine/geometry/segment.hpp"
+#include "engine/geometry/space_segment.hpp"
 
 namespace quarry {
 namespace {
 
 // The point strictly between two that must be a bend, or `first` if there is none: the farthest from the
 // segment if that is too far, else one that does not come after its predecessor.
-std::uint32_t worst_between(std::span<const Vec2> points, std::uint32_t first, std::uint32_t last,
+template <class Vec>
+std::uint32_t worst_between(std::span<const Vec> points, std::uint32_t first, std::uint32_t last,
                             double tolerance) {
-  const Vec2 a = points[first];
-  const Vec2 b = points[last];
+  const Vec a = points[first];
+  const Vec b = points[last];
   double farthest = tolerance * tolerance;
   std::uint32_t worst = first;
   for (std::uint32_t i = first + 1; i < last; ++i) {
@@ -32,9 +35,8 @@ std::uint32_t worst_between(std::span<const Vec2> points, std::uint32_t first, s
   return first;
 }
 
-}  // namespace
-
-std::vector<std::uint32_t> find_bends(std::span<const Vec2> points, double tolerance) {
+template <class Vec>
+std::vector<std::uint32_t> bends_of(std::span<const Vec> points, double tolerance) {
   const auto last = static_cast<std::uint32_t>(points.size() - 1);
   std::vector<std::uint32_t> bends{0, last};
   std::vector<std::pair<std::uint32_t, std::uint32_t>> todo{{0, last}};
@@ -49,6 +51,16 @@ std::vector<std::uint32_t> find_bends(std::span<const Vec2> points, double toler
   }
   std::sort(bends.begin(), bends.end());
   return bends;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> find_bends(std::span<const Vec2> points, double tolerance) {
+  return bends_of(points, tolerance);
+}
+
+std::vector<std::uint32_t> find_bends(std::span<const Vec3> points, double tolerance) {
+  return bends_of(points, tolerance);
 }
 
 }  // namespace quarry

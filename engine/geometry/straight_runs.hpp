@@ -1,4 +1,4 @@
-// Where a chain of edges bends.
+// Where a chain of edges bends, in the plane or in space.
 #pragma once
 
 #include <cstdint>
@@ -14,5 +14,6 @@ namespace quarry {
 // with the first and the last point. A polyline whose ends are the same point is cut in between as well.
 // Method: Douglas & Peucker 1973, with cuts also where a stretch turns back.
 [[nodiscard]] std::vector<std::uint32_t> find_bends(std::span<const Vec2> points, double tolerance);
+[[nodiscard]] std::vector<std::uint32_t> find_bends(std::span<const Vec3> points, double tolerance);
 
 }  // namespace quarry

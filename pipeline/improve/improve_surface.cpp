@@ -1,0 +1,301 @@
+#include "pipeline/improve/improve_surface.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "engine/base/error.hpp"
+#include "engine/base/heap.hpp"
+#include "engine/mesh/validate.hpp"
+#include "pipeline/improve/clean_up_floor.hpp"
+#include "pipeline/improve/face_surface.hpp"
+#include "pipeline/improve/group_labels.hpp"
+#include "pipeline/improve/surface_lines.hpp"
+#include "pipeline/surface/finish_surface.hpp"
+#include "surface/feature/bind.hpp"
+#include "surface/quads/quads.hpp"
+#include "surface/quads/unfold_faces.hpp"
+#include "surface/repair/sheets.hpp"
+#include "surface/repair/surface_edges.hpp"
+
+namespace quarry {
+namespace {
+
+// While a mesh is finished: the point of the file at each vertex that is a node.
+constexpr const char* kNodePointTag = "node_point";
+
+std::string place_text(Vec3 p) { return fmt::format("({:.10g}, {:.10g}, {:.10g})", p.x, p.y, p.z); }
+
+void require_options_of_surfaces(const ImproveOptions& options) {
+  const auto refuse = [&](bool given, const char* name, const char* instead) {
+    if (given)
+      throw Error(ErrorKind::kUsage,
+                  fmt::format("{}: {} is for meshes of the plane, and this one is in space; {}",
+                              options.input, name, instead));
+  };
+  refuse(options.size.has_value(), "--size", "quarry mesh gives a surface elements of another size");
+  refuse(!options.irregular_price.empty(), "--irregular-price", "leave it out");
+  refuse(options.mixed_quality.has_value(), "--elements mixed", "leave it out");
+}
+
+// A vertex that rounds within the digits of the file still lies on its line.
+double tolerance_of(const ImproveOptions& options, const ReadCells& cells) {
+  if (options.tolerance) return *options.tolerance;
+  double side = 0, largest = 0;
+  for (const auto* values : {&cells.x, &cells.y, &cells.z}) {
+    const auto [low, high] = std::minmax_element(values->begin(), values->end());
+    side = std::max(side, *high - *low);
+    largest = std::max({largest, std::abs(*low), std::abs(*high)});
+  }
+  return std::max(1e-9 * side, 4 * std::numeric_limits<double>::epsilon() * largest);
+}
+
+double area_of(const TriangleSurface& surface) {
+  double area = 0;
+  for (const SurfaceTriangle& t : surface.triangles) area += 0.5 * length(doubled_area(surface, t));
+  return area;
+}
+
+double mean_side(const FaceSurface& faces) {
+  const TriangleSurface& surface = faces.triangles.surface;
+  const SurfaceEdges edges(surface);
+  double sum = 0;
+  std::size_t count = 0;
+  for (std::size_t e = 0; e < edges.count(); ++e) {
+    const auto [a, b] = SurfaceEdges::ends(surface, edges.sides(e)[0]);
+    if (std::binary_search(faces.within.begin(), faces.within.end(), join_of(a, b))) continue;
+    sum += length(surface.points[b] - surface.points[a]);
+    ++count;
+  }
+  return sum / static_cast<double>(count);
+}
+
+using Lengths = std::map<std::int32_t, double>;
+
+class ImproveSurfaceJob {
+ public:
+  ImproveSurfaceJob(const ImproveOptions& options, ReadCells cells, StageClock& clock,
+                    const Progress& progress)
+      : options_(options), cells_(std::move(cells)), clock_(clock), progress_(progress) {}
+
+  ImproveResult run() {
+    take_faces();
+    clock_.start("binding");
+    find_features();
+    clock_.start("clean-up");
+    improve();
+    clock_.start("finishing");
+    finish();
+    clock_.stop();
+    result_.times = clock_.times();
+    return std::move(result_);
+  }
+
+ private:
+  void note(std::string text) { result_.notes.push_back(options_.input + ": " + std::move(text)); }
+
+  void take_faces() {
+    result_.names = cells_.names;
+    result_.tolerance = tolerance_of(options_, cells_);
+    labels_ = GroupLabels(cells_);
+    result_.groups = labels_.groups();
+    faces_ = make_face_surface(options_.input, cells_);
+    result_.turned = faces_.turned;
+    if (faces_.welded > 0)
+      note(fmt::format("{} points lie where another one does: they are one", faces_.welded));
+    if (faces_.narrowed > 0)
+      note(fmt::format("{} quads have two corners at one place and are triangles now", faces_.narrowed));
+    if (faces_.turned > 0)
+      note(fmt::format("{} of {} faces are turned, so that neighbours agree on which side is up",
+                       faces_.turned, cells_.faces.size()));
+    result_.before = summarize_quality(make_mesh(options_.input, cells_));
+    if (result_.before.quads.faces == 0)
+      note("the mesh has no quads: vertices move, but clean-up has nothing to do");
+    lines_ = find_surface_lines(cells_, faces_);
+    unfold();
+    area_ = area_of(surface());
+    if (!(area_ > 0)) throw Error(ErrorKind::kGeometry, options_.input + ": the mesh has no area");
+  }
+
+  // Where faces are folded over, the surface that they are would be as well.
+  void unfold() {
+    sheets_ = make_sheets(faces_.triangles);
+    Mesh mesh = make_face_mesh(faces_, sheets_, cells_.faces);
+    const std::vector<FaceId> folded = find_folded_faces(mesh);
+    result_.invalid = folded.size();
+    if (folded.empty()) return;
+    note(fmt::format("{} faces are inverted, concave or flat, the first at {}", folded.size(),
+                     place_text(mesh.point3(mesh.corner(folded.front(), 0)))));
+    // Folds look like sharp edges: none counts yet.
+    FeatureOptions features;
+    features.sharp_degrees = 180;
+    features.straightness = result_.tolerance;
+    const FeatureEdges found = find_feature_edges(faces_.triangles, features, lines_.edges, faces_.within);
+    network_ = make_curve_network(surface(), found.edges, features, fixed_points());
+    unfold_faces(mesh, bind_features(mesh, network_), progress_);
+    for (const VertexId v : mesh.vertices())
+      if (v.value() < surface().points.size()) faces_.triangles.surface.points[v.value()] = mesh.point3(v);
+    sheets_ = make_sheets(faces_.triangles);
+  }
+
+  // Tagged edges, rims, borders of regions, what sheets share, and edges at which the surface turns sharply.
+  void find_features() {
+    result_.tagged_edges = lines_.tagged;
+    if (lines_.lost > 0)
+      note(fmt::format("{} lines join points that belong to no face, and are left out", lines_.lost));
+    if (!lines_.apart.empty())
+      note(fmt::format("{} tagged edges are no side of a face: they are kept, and their ends stay fixed",
+                       lines_.apart.size()));
+    FeatureOptions features;
+    features.sharp_degrees = options_.sharp_degrees;
+    features.size = mean_side(faces_);
+    features.straightness = result_.tolerance;
+    const FeatureEdges found = find_feature_edges(faces_.triangles, features, lines_.edges, faces_.within);
+    for (const FeatureEdge& edge : found.edges)
+      if (edge.kind == FeatureKind::kSharp) ++result_.sharp_edges;
+    result_.sharp_degrees = found.sharp_degrees;
+    network_ = make_curve_network(surface(), found.edges, features, fixed_points());
+    result_.nodes = network_.nodes.size();
+    result_.pieces = network_.curves.size();
+  }
+
+  // Points that stay: where sheets touch or meet each of them has a vertex of its own, behind those of all
+  // points, which knows nothing of the others.
+  [[nodiscard]] std::vector<std::uint32_t> fixed_points() const {
+    const auto point = sheets_.find_tag<VertexId, std::uint32_t>(kSurfacePointTag);
+    std::vector<std::uint32_t> fixed = lines_.fixed;
+    for (std::size_t i = surface().points.size(); i < sheets_.vertex_slots(); ++i)
+      fixed.push_back(point[VertexId(i)]);
+    return fixed;
+  }
+
+  void improve() {
+    result_.mesh = make_face_mesh(faces_, sheets_, cells_.faces);
+    static_cast<void>(bind_features(result_.mesh, network_));
+    const ConstraintTags tags = bind_features(sheets_, network_);
+    const SurfaceModel model(sheets_, tags);
+    sheets_ = Mesh();
+    SurfaceQuadOptions options;
+    options.cleanup = options_.cleanup;
+    options.graded = true;
+    options.local.floor = options.patches.least_jacobian =
+        clean_up_floor(result_.before, options.patches.least_jacobian);
+    give_back_freed_memory();
+    SurfaceQuadReport report;
+    result_.mesh =
+        improve_surface_quads(std::move(result_.mesh), model, network_, options, report, progress_);
+    result_.clean_up = std::move(report.clean_up);
+    require_valid(model);
+    set_surface_regions(result_.mesh, surface().groups, model);
+  }
+
+  void require_valid(const SurfaceModel& model) const {
+    const Mesh& mesh = result_.mesh;
+    const std::vector<FaceId> invalid = find_invalid_on_surface(mesh, model, area_);
+    if (!invalid.empty())
+      throw Error(
+          ErrorKind::kGeometry,
+          fmt::format("{}: {} faces cannot be made valid within the features around them, the first at "
+                      "{}; nothing was written",
+                      options_.input, invalid.size(),
+                      place_text(mesh.point3(mesh.corner(invalid.front(), 0)))));
+  }
+
+  void finish() {
+    Mesh& mesh = result_.mesh;
+    mark_nodes();
+    finish_surface_mesh(mesh, network_, [&](PieceId curve, bool rim) {
+      return curve.valid() ? lines_.numbers_of(network_.curves[curve], rim) : std::vector<std::int32_t>();
+    });
+    restore_points();
+    const std::string failure = validate(mesh, GeometryCheck::kNone);
+    if (!failure.empty()) throw Error(ErrorKind::kBug, "the improved mesh is not valid: " + failure);
+    require_lines_kept();
+    labels_.restore(mesh);
+  }
+
+  void mark_nodes() {
+    Mesh& mesh = result_.mesh;
+    const ConstraintTags tags = ConstraintTags::of(mesh);
+    auto point = mesh.add_tag<VertexId, std::int32_t>(kNodePointTag, -1);
+    for (const VertexId v : mesh.vertices())
+      if (mesh.alive(v) && tags.support[v].is_node())
+        point[v] = static_cast<std::int32_t>(network_.nodes[tags.support[v].node()]);
+  }
+
+  // Points of the file, and edges that are no side of a face.
+  void restore_points() {
+    Mesh& mesh = result_.mesh;
+    const auto point = mesh.find_tag<VertexId, std::int32_t>(kNodePointTag);
+    std::map<std::uint32_t, VertexId> vertex_at;
+    for (const VertexId v : mesh.vertices())
+      if (point[v] >= 0) vertex_at.try_emplace(static_cast<std::uint32_t>(point[v]), v);
+    mesh.remove_tag<VertexId>(kNodePointTag);
+    const auto constraint = mesh.find_tag<EdgeId, std::int32_t>("constraint");
+    for (const EdgeApart& edge : lines_.apart) {
+      auto numbers = constraint;
+      numbers[mesh.add_edge(vertex_at.at(edge.a), vertex_at.at(edge.b))] = edge.number;
+    }
+    if (cells_.points.empty()) return;
+    auto number = mesh.add_tag<VertexId, std::int32_t>(kPointTag, -1);
+    for (std::size_t i = 0; i < cells_.points.size(); ++i) {
+      const auto found = vertex_at.find(cells_.points[i].value());
+      if (found == vertex_at.end()) continue;
+      std::int32_t& here = number[found->second];
+      if (here < 0 || cells_.point_numbers[i] < here) here = cells_.point_numbers[i];
+    }
+  }
+
+  // Each number's edges cover what they covered before.
+  void require_lines_kept() const {
+    const Mesh& mesh = result_.mesh;
+    Lengths now, before;
+    const auto constraint = mesh.find_tag<EdgeId, std::int32_t>("constraint");
+    for (const EdgeId e : mesh.edges()) {
+      const auto [a, b] = mesh.edge_ends(e);
+      if (constraint[e] >= 0) now[constraint[e]] += length(mesh.point3(b) - mesh.point3(a));
+    }
+    const auto add_before = [&](std::uint32_t a, std::uint32_t b, std::int32_t number) {
+      if (number >= 0) before[number] += length(surface().points[b] - surface().points[a]);
+    };
+    for (const LineEdge& edge : lines_.edges)
+      for (const std::int32_t number : lines_.numbers[static_cast<std::size_t>(edge.line)])
+        add_before(edge.ends[0], edge.ends[1], number);
+    for (const EdgeApart& edge : lines_.apart) add_before(edge.a, edge.b, edge.number);
+    const double slack =
+        1e-6 * std::sqrt(area_) + 2 * result_.tolerance * static_cast<double>(mesh.edge_slots());
+    for (const auto& [number, whole] : before)
+      if (const double kept = now[number]; std::abs(kept - whole) > slack)
+        throw Error(ErrorKind::kBug, fmt::format("tagged edges {} had a length of {} and have {} now",
+                                                 labels_.constraint(number), whole, kept));
+  }
+
+  [[nodiscard]] const TriangleSurface& surface() const { return faces_.triangles.surface; }
+
+  const ImproveOptions& options_;
+  ReadCells cells_;
+  StageClock& clock_;
+  const Progress& progress_;
+  ImproveResult result_;
+  GroupLabels labels_;
+  FaceSurface faces_;
+  double area_ = 0;
+  SurfaceLines lines_;
+  Mesh sheets_;  // of triangles
+  CurveNetwork network_;
+};
+
+}  // namespace
+
+ImproveResult improve_surface(const ImproveOptions& options, ReadCells cells, StageClock& clock,
+                              const Progress& progress) {
+  require_options_of_surfaces(options);
+  return ImproveSurfaceJob(options, std::move(cells), clock, progress).run();
+}
+
+}  // namespace quarry
