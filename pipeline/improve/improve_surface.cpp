@@ -26,6 +26,14 @@
 namespace quarry {
 namespace {
 
+// Rounds of stars from which a quad takes its area: with eight, as where sizes are asked for, those that
+// other programs leave beside one another stay more uneven, and the mean scaled Jacobian is 0.001 to 0.003
+// lower.
+constexpr int kAreaAverages = 30;
+
+// Of the points of the surface that faces have to come near to, in sides of faces.
+constexpr double kPointSpacing = 0.5;
+
 // While a mesh is finished: the point of the file at each vertex that is a node.
 constexpr const char* kNodePointTag = "node_point";
 
@@ -53,12 +61,6 @@ double tolerance_of(const ImproveOptions& options, const ReadCells& cells) {
     largest = std::max({largest, std::abs(*low), std::abs(*high)});
   }
   return std::max(1e-9 * side, 4 * std::numeric_limits<double>::epsilon() * largest);
-}
-
-double area_of(const TriangleSurface& surface) {
-  double area = 0;
-  for (const SurfaceTriangle& t : surface.triangles) area += 0.5 * length(doubled_area(surface, t));
-  return area;
 }
 
 double mean_side(const FaceSurface& faces) {
@@ -118,6 +120,7 @@ class ImproveSurfaceJob {
       note("the mesh has no quads: vertices move, but clean-up has nothing to do");
     lines_ = find_surface_lines(cells_, faces_);
     unfold();
+    side_ = mean_side(faces_);
     area_ = area_of(surface());
     if (!(area_ > 0)) throw Error(ErrorKind::kGeometry, options_.input + ": the mesh has no area");
   }
@@ -153,7 +156,7 @@ class ImproveSurfaceJob {
                        lines_.apart.size()));
     FeatureOptions features;
     features.sharp_degrees = options_.sharp_degrees;
-    features.size = mean_side(faces_);
+    features.size = side_;
     features.straightness = result_.tolerance;
     const FeatureEdges found = find_feature_edges(faces_.triangles, features, lines_.edges, faces_.within);
     for (const FeatureEdge& edge : found.edges)
@@ -178,13 +181,14 @@ class ImproveSurfaceJob {
     result_.mesh = make_face_mesh(faces_, sheets_, cells_.faces);
     static_cast<void>(bind_features(result_.mesh, network_));
     const ConstraintTags tags = bind_features(sheets_, network_);
-    const SurfaceModel model(sheets_, tags);
+    const SurfaceModel model(sheets_, tags, kPointSpacing * side_);
     sheets_ = Mesh();
     SurfaceQuadOptions options;
     options.cleanup = options_.cleanup;
-    options.graded = true;
+    options.area_averages = kAreaAverages;
     options.local.floor = options.patches.least_jacobian =
         clean_up_floor(result_.before, options.patches.least_jacobian);
+    options.reach.least_jacobian = options.local.floor;
     give_back_freed_memory();
     SurfaceQuadReport report;
     result_.mesh =
@@ -284,7 +288,7 @@ class ImproveSurfaceJob {
   ImproveResult result_;
   GroupLabels labels_;
   FaceSurface faces_;
-  double area_ = 0;
+  double side_ = 0, area_ = 0;  // the mean side of a face, and all of the surface
   SurfaceLines lines_;
   Mesh sheets_;  // of triangles
   CurveNetwork network_;

@@ -23,12 +23,6 @@
 namespace quarry {
 namespace {
 
-double area_of(const TriangleSurface& surface) {
-  double area = 0;
-  for (const SurfaceTriangle& t : surface.triangles) area += 0.5 * length(doubled_area(surface, t));
-  return area;
-}
-
 // Of the points of the surface that elements have to come near to, in sizes.
 constexpr double kPointSpacing = 0.5;
 

@@ -24,8 +24,6 @@ namespace {
 
 // How far patches may take the number of faces from the wanted one.
 constexpr double kCountTolerance = 0.035;
-// Where sizes differ a quad is to have the area that those around it have, so many rounds of stars away.
-constexpr int kAreaAverages = 8;
 // At the end vertices move along features in so many rounds, so many sweeps each, the free ones between.
 constexpr int kSlideRounds = 2, kSlideSweeps = 5;
 
@@ -169,7 +167,7 @@ class SurfaceQuads {
       smoother.run(editor, movable,
                    {.untangling_sweeps = 0,
                     .sweeps = sweeps,
-                    .area_averages = options_.graded ? kAreaAverages : LocalShapeOptions::kAllAlike,
+                    .area_averages = options_.area_averages,
                     .target = options_.target,
                     .smallest_move = options_.smallest_move});
     });

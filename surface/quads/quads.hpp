@@ -11,6 +11,7 @@
 #include "kernels/cluster/pairing.hpp"
 #include "kernels/cluster/subdivide.hpp"
 #include "kernels/matching/matching.hpp"
+#include "kernels/smooth/local_smoother.hpp"
 #include "surface/feature/curve_network.hpp"
 #include "surface/model/surface_model.hpp"
 #include "surface/quads/reach_far_points.hpp"
@@ -27,8 +28,9 @@ struct SurfaceQuadOptions {
   // How many times as long as they are on the whole an edge of a patch may be. At twice, twice as many
   // irregular vertices are left; at four times fewer, but quads stretch and leave the surface.
   double longest_edge = 2.5;
-  // Whether the wanted edges differ from place to place.
-  bool graded = false;
+  // Where sizes differ from place to place: a quad is to have the area that those around it have, so many
+  // rounds of stars away; else (kAllAlike) all are to have the same.
+  int area_averages = LocalShapeOptions::kAllAlike;
   // How many faces there are to be; 0: as many as halving makes. Patches keep within a few per cent.
   std::size_t wanted_faces = 0;
   // Sweeps over the whole mesh: after halving, between the steps of clean-up, and at the end.

@@ -23,6 +23,13 @@ struct TriangleSurface {
   return cross(surface.points[t[1]] - a, surface.points[t[2]] - a);
 }
 
+// In square input units.
+[[nodiscard]] inline double area_of(const TriangleSurface& surface) {
+  double area = 0;
+  for (const SurfaceTriangle& t : surface.triangles) area += 0.5 * length(doubled_area(surface, t));
+  return area;
+}
+
 // Takes the other triangles out, with their groups; the order stays. keep(t): of triangle t.
 template <class Keep>
 void keep_triangles(TriangleSurface& surface, const Keep& keep) {

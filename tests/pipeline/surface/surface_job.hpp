@@ -53,10 +53,8 @@ inline double area_of(const Mesh& mesh) {
 
 // None in a finished mesh.
 inline std::size_t count_invalid(const SurfaceResult& result) {
-  double area = 0;
-  for (const SurfaceTriangle& t : result.repaired.triangles)
-    area += 0.5 * length(doubled_area(result.repaired, t));
-  return find_invalid_on_surface(result.mesh, test::modelled(result.repaired).model, area).size();
+  return find_invalid_on_surface(result.mesh, test::modelled(result.repaired).model, area_of(result.repaired))
+      .size();
 }
 
 }  // namespace quarry

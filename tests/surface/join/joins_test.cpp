@@ -28,12 +28,6 @@ DivideJoinsOptions parts_of(double edge, double deviation) {
   return {.edge = edge, .deviation = deviation, .corners = {.size = edge}};
 }
 
-double area_of(const TriangleSurface& surface) {
-  double area = 0;
-  for (const SurfaceTriangle& t : surface.triangles) area += 0.5 * length(doubled_area(surface, t));
-  return area;
-}
-
 double longest_join(const RepairedSurface& repaired) {
   double longest = 0;
   for (const auto& [a, b] : repaired.joins)
