@@ -14,10 +14,13 @@ namespace quarry {
 // corners: 72 degrees. A scaled Jacobian alone does not see a face that lies upside down.
 inline constexpr double kLeastFacing = 0.3;
 
+// What a face that is not convex, or lies upside down, has at most.
+inline constexpr double kNotConvex = -0.1;
+
 // The smallest corner sine (of a triangle times 2 / sqrt(3)) as seen along the face's own normal, the cross
-// product of its diagonals; at most -0.1 where it is not positive. Where that normal turns too far from the
-// surface: between -0.1 and 0 for a face that would be valid otherwise, so that no change makes it not convex
-// for the sake of its direction; -1 if it points away, or there is none.
+// product of its diagonals; at most kNotConvex where it is not positive. Where that normal turns too far from
+// the surface: between that and 0 for a face that would be valid otherwise, so that no change makes it not
+// convex for the sake of its direction; -1 if it points away, or there is none.
 [[nodiscard]] inline double scaled_jacobian_in_space(std::span<const SpacePoint> corners) {
   constexpr double kTriangleFactor = 1.1547005383792515;
   const std::size_t count = corners.size();
@@ -29,7 +32,6 @@ inline constexpr double kLeastFacing = 0.3;
   const double facing = dot(normal, up);
   const double least = kLeastFacing * size * length(up);
   if (!(size > 0) || !(facing >= 0)) return -1;
-  constexpr double kNotConvex = -0.1;
   double smallest = 1;
   for (std::size_t k = 0; k < count; ++k) {
     const SpacePoint out = corners[(k + 1) % count] - corners[k];

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
+#include <set>
 #include <utility>
 
 #include <fmt/format.h>
@@ -86,14 +88,12 @@ class Diagonals {
   // Two quads may share two sides, and with them a diagonal.
   void take_other(std::uint32_t f) {
     const EdgeKey other = key(f, choice_[f] == 0 ? 1 : 0);
-    if (contains(edges_, other) || contains(keys_, other) ||
-        std::find(taken_.begin(), taken_.end(), other) != taken_.end()) {
+    if (contains(edges_, other) || contains(keys_, other) || !taken_.insert(other).second) {
       const Vec3 p = corner(faces_[f], 0);
       throw Error(ErrorKind::kGeometry,
                   fmt::format("{}: face {} at ({:.10g}, {:.10g}, {:.10g}) lies on others: leave it out",
                               path_, f + 1, p.x, p.y, p.z));
     }
-    taken_.push_back(other);
     choice_[f] ^= 1;
   }
 
@@ -101,9 +101,10 @@ class Diagonals {
   const std::vector<FaceCorners>& faces_;
   const std::vector<Vec3>& points_;
   std::vector<std::uint8_t> choice_;
-  std::vector<EdgeKey> edges_;         // of all faces, ascending
-  std::vector<std::uint32_t> quads_;   // in the order of their diagonals
-  std::vector<EdgeKey> keys_, taken_;  // of diagonals: preferred, ascending; others in place of these
+  std::vector<EdgeKey> edges_;        // of all faces, ascending
+  std::vector<std::uint32_t> quads_;  // in the order of their diagonals
+  std::vector<EdgeKey> keys_;         // of the preferred diagonals, ascending
+  std::set<EdgeKey> taken_;           // of others in their place
 };
 
 void require_points(const std::string& path, const ReadCells& cells) {
@@ -163,7 +164,8 @@ void add_triangles(const FaceCorners& face, std::uint8_t from, std::int32_t grou
   result.within.push_back(join_of(face[from].value(), face[from + 2U].value()));
 }
 
-// The triangles of a face agree: its diagonal has no others.
+// A face turns as its first triangle does: on a one-sided band they may disagree, and the seam that is found
+// afterwards runs beside the face.
 void turn_faces(ReadCells& cells, FaceSurface& result) {
   TriangleSurface& surface = result.triangles.surface;
   const Orientation orientation = orient(surface, SurfaceEdges(surface));
@@ -229,6 +231,33 @@ Mesh make_face_mesh(const FaceSurface& surface, const Mesh& sheets, const std::v
   auto point = mesh.add_tag<VertexId, std::uint32_t>(kSurfacePointTag);
   for (const VertexId v : mesh.vertices()) point[v] = from[v];
   return mesh;
+}
+
+double mean_side(const FaceSurface& faces) {
+  const TriangleSurface& surface = faces.triangles.surface;
+  const SurfaceEdges edges(surface);
+  double sum = 0;
+  std::size_t count = 0;
+  for (std::size_t e = 0; e < edges.count(); ++e) {
+    const auto [a, b] = SurfaceEdges::ends(surface, edges.sides(e)[0]);
+    if (std::binary_search(faces.within.begin(), faces.within.end(), join_of(a, b))) continue;
+    sum += length(surface.points[b] - surface.points[a]);
+    ++count;
+  }
+  return sum / static_cast<double>(count);
+}
+
+double rounding_of(const TriangleSurface& surface) {
+  Vec3 low = surface.points[surface.triangles.front()[0]], high = low;
+  for (const SurfaceTriangle& t : surface.triangles)
+    for (const std::uint32_t i : t) {
+      const Vec3 p = surface.points[i];
+      low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+    }
+  const double side = std::max({high.x - low.x, high.y - low.y, high.z - low.z});
+  const double largest = std::max({-low.x, -low.y, -low.z, high.x, high.y, high.z});
+  return std::max(1e-9 * side, 4 * std::numeric_limits<double>::epsilon() * largest);
 }
 
 }  // namespace quarry

@@ -36,4 +36,11 @@ struct FaceSurface {
 [[nodiscard]] Mesh make_face_mesh(const FaceSurface& surface, const Mesh& sheets,
                                   const std::vector<FaceCorners>& faces);
 
+// The mean length of the sides of faces.
+[[nodiscard]] double mean_side(const FaceSurface& faces);
+
+// How far rounding within the digits of a file may take a point off a line: 1e-9 of the longer side of the
+// box of all triangles, or what their coordinates tell apart.
+[[nodiscard]] double rounding_of(const TriangleSurface& surface);
+
 }  // namespace quarry

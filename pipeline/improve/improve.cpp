@@ -46,8 +46,13 @@ void require_usable(const ImproveOptions& options) {
                             *options.tolerance));
 }
 
+// Points of no face do not count.
 bool is_planar(const ReadCells& cells) {
-  return std::all_of(cells.z.begin(), cells.z.end(), [](double z) { return z == 0; });
+  return std::all_of(cells.faces.begin(), cells.faces.end(), [&](const FaceCorners& face) {
+    return std::all_of(face.begin(), face.end(), [&](VertexId v) {
+      return !v.valid() || v.value() >= cells.z.size() || cells.z[v.value()] == 0;
+    });
+  });
 }
 
 std::string place_of(const Mesh& mesh, FaceId face) {
@@ -274,6 +279,11 @@ ImproveResult improve_mesh(const ImproveOptions& options, const Progress& progre
   if (cells.faces.empty())
     throw Error(ErrorKind::kGeometry, fmt::format("{}: the mesh has no face to improve", options.input));
   if (!is_planar(cells)) return improve_surface(options, std::move(cells), clock, progress);
+  if (options.sharp_degrees)
+    throw Error(ErrorKind::kUsage,
+                fmt::format("{}: --sharp is for meshes in space, and this one is planar; leave it out",
+                            options.input));
+  std::fill(cells.z.begin(), cells.z.end(), 0.0);  // those of points of no face too
   return ImproveJob(options, clock, progress).run(std::move(cells));
 }
 

@@ -21,7 +21,7 @@ std::vector<ReportItem> resolved_options(const ImproveOptions& options, const Im
   if (options.size) items.push_back({"size", *options.size});
   if (!options.irregular_price.empty())
     items.push_back({"irregular-price", price_text(options.irregular_price)});
-  if (options.sharp_degrees) items.push_back({"sharp", *options.sharp_degrees});
+  if (!result.mesh.planar()) items.push_back({"sharp", result.sharp_degrees});
   if (options.mixed_quality) {
     items.push_back({"elements", std::string("mixed")});
     items.push_back({"mixed-quality", *options.mixed_quality});

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <string>
 #include <utility>
@@ -34,6 +33,10 @@ constexpr int kAreaAverages = 30;
 // Of the points of the surface that faces have to come near to, in sides of faces.
 constexpr double kPointSpacing = 0.5;
 
+// How far a vertex may leave the surface where folds are taken out of it, in sides of faces: as much as a
+// side bends on a coarse one.
+constexpr double kFarthestUnfolded = 0.2;
+
 // While a mesh is finished: the point of the file at each vertex that is a node.
 constexpr const char* kNodePointTag = "node_point";
 
@@ -51,34 +54,6 @@ void require_options_of_surfaces(const ImproveOptions& options) {
   refuse(options.mixed_quality.has_value(), "--elements mixed", "leave it out");
 }
 
-// A vertex that rounds within the digits of the file still lies on its line.
-double tolerance_of(const ImproveOptions& options, const ReadCells& cells) {
-  if (options.tolerance) return *options.tolerance;
-  double side = 0, largest = 0;
-  for (const auto* values : {&cells.x, &cells.y, &cells.z}) {
-    const auto [low, high] = std::minmax_element(values->begin(), values->end());
-    side = std::max(side, *high - *low);
-    largest = std::max({largest, std::abs(*low), std::abs(*high)});
-  }
-  return std::max(1e-9 * side, 4 * std::numeric_limits<double>::epsilon() * largest);
-}
-
-double mean_side(const FaceSurface& faces) {
-  const TriangleSurface& surface = faces.triangles.surface;
-  const SurfaceEdges edges(surface);
-  double sum = 0;
-  std::size_t count = 0;
-  for (std::size_t e = 0; e < edges.count(); ++e) {
-    const auto [a, b] = SurfaceEdges::ends(surface, edges.sides(e)[0]);
-    if (std::binary_search(faces.within.begin(), faces.within.end(), join_of(a, b))) continue;
-    sum += length(surface.points[b] - surface.points[a]);
-    ++count;
-  }
-  return sum / static_cast<double>(count);
-}
-
-using Lengths = std::map<std::int32_t, double>;
-
 class ImproveSurfaceJob {
  public:
   ImproveSurfaceJob(const ImproveOptions& options, ReadCells cells, StageClock& clock,
@@ -88,7 +63,7 @@ class ImproveSurfaceJob {
   ImproveResult run() {
     take_faces();
     clock_.start("binding");
-    find_features();
+    bind();
     clock_.start("clean-up");
     improve();
     clock_.start("finishing");
@@ -103,10 +78,10 @@ class ImproveSurfaceJob {
 
   void take_faces() {
     result_.names = cells_.names;
-    result_.tolerance = tolerance_of(options_, cells_);
     labels_ = GroupLabels(cells_);
     result_.groups = labels_.groups();
     faces_ = make_face_surface(options_.input, cells_);
+    result_.tolerance = options_.tolerance.value_or(rounding_of(surface()));
     result_.turned = faces_.turned;
     if (faces_.welded > 0)
       note(fmt::format("{} points lie where another one does: they are one", faces_.welded));
@@ -119,8 +94,8 @@ class ImproveSurfaceJob {
     if (result_.before.quads.faces == 0)
       note("the mesh has no quads: vertices move, but clean-up has nothing to do");
     lines_ = find_surface_lines(cells_, faces_);
-    unfold();
     side_ = mean_side(faces_);
+    unfold();
     area_ = area_of(surface());
     if (!(area_ > 0)) throw Error(ErrorKind::kGeometry, options_.input + ": the mesh has no area");
   }
@@ -134,35 +109,60 @@ class ImproveSurfaceJob {
     if (folded.empty()) return;
     note(fmt::format("{} faces are inverted, concave or flat, the first at {}", folded.size(),
                      place_text(mesh.point3(mesh.corner(folded.front(), 0)))));
-    // Folds look like sharp edges: none counts yet.
-    FeatureOptions features;
-    features.sharp_degrees = 180;
-    features.straightness = result_.tolerance;
-    const FeatureEdges found = find_feature_edges(faces_.triangles, features, lines_.edges, faces_.within);
-    network_ = make_curve_network(surface(), found.edges, features, fixed_points());
+    std::vector<FeatureEdge> features = find_features().edges;
+    std::vector<std::uint8_t> touched(surface().points.size(), 0);
+    const auto point = mesh.find_tag<VertexId, std::uint32_t>(kSurfacePointTag);
+    for (const FaceId f : folded)
+      for (int k = 0; k < mesh.corner_count(f); ++k) touched[point[mesh.corner(f, k)]] = 1;
+    // A fold looks like a sharp edge.
+    std::erase_if(features, [&](const FeatureEdge& edge) {
+      return edge.kind == FeatureKind::kSharp && (touched[edge.ends[0]] != 0 || touched[edge.ends[1]] != 0);
+    });
+    network_ = make_curve_network(surface(), features, feature_options(), fixed_points());
     unfold_faces(mesh, bind_features(mesh, network_), progress_);
-    for (const VertexId v : mesh.vertices())
-      if (v.value() < surface().points.size()) faces_.triangles.surface.points[v.value()] = mesh.point3(v);
+    take_places(mesh);
+  }
+
+  // Vertices that were moved within the surface leave it as it is but for folds; if one has left it, a sharp
+  // edge was taken for one, and all stay.
+  void take_places(const Mesh& mesh) {
+    const SurfaceModel before(sheets_, bind_features(sheets_, network_));
+    std::vector<Vec3> places = surface().points;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const VertexId v(i);
+      if (!mesh.alive(v) || mesh.point3(v) == places[i]) continue;
+      places[i] = mesh.point3(v);
+      if (length(before.nearest({places[i], Vec3()}).position - places[i]) > kFarthestUnfolded * side_)
+        return;
+    }
+    faces_.triangles.surface.points = std::move(places);
     sheets_ = make_sheets(faces_.triangles);
   }
 
+  [[nodiscard]] FeatureOptions feature_options() const {
+    FeatureOptions features;
+    features.sharp_degrees = options_.sharp_degrees;
+    features.size = side_;
+    features.straightness = result_.tolerance;
+    return features;
+  }
+  [[nodiscard]] FeatureEdges find_features() const {
+    return find_feature_edges(faces_.triangles, feature_options(), lines_.edges, faces_.within);
+  }
+
   // Tagged edges, rims, borders of regions, what sheets share, and edges at which the surface turns sharply.
-  void find_features() {
+  void bind() {
     result_.tagged_edges = lines_.tagged;
     if (lines_.lost > 0)
       note(fmt::format("{} lines join points that belong to no face, and are left out", lines_.lost));
     if (!lines_.apart.empty())
       note(fmt::format("{} tagged edges are no side of a face: they are kept, and their ends stay fixed",
                        lines_.apart.size()));
-    FeatureOptions features;
-    features.sharp_degrees = options_.sharp_degrees;
-    features.size = side_;
-    features.straightness = result_.tolerance;
-    const FeatureEdges found = find_feature_edges(faces_.triangles, features, lines_.edges, faces_.within);
+    const FeatureEdges found = find_features();
     for (const FeatureEdge& edge : found.edges)
       if (edge.kind == FeatureKind::kSharp) ++result_.sharp_edges;
     result_.sharp_degrees = found.sharp_degrees;
-    network_ = make_curve_network(surface(), found.edges, features, fixed_points());
+    network_ = make_curve_network(surface(), found.edges, feature_options(), fixed_points());
     result_.nodes = network_.nodes.size();
     result_.pieces = network_.curves.size();
   }
@@ -180,8 +180,7 @@ class ImproveSurfaceJob {
   void improve() {
     result_.mesh = make_face_mesh(faces_, sheets_, cells_.faces);
     static_cast<void>(bind_features(result_.mesh, network_));
-    const ConstraintTags tags = bind_features(sheets_, network_);
-    const SurfaceModel model(sheets_, tags, kPointSpacing * side_);
+    const SurfaceModel model(sheets_, bind_sheets(), kPointSpacing * side_);
     sheets_ = Mesh();
     SurfaceQuadOptions options;
     options.cleanup = options_.cleanup;
@@ -196,6 +195,16 @@ class ImproveSurfaceJob {
     result_.clean_up = std::move(report.clean_up);
     require_valid(model);
     set_surface_regions(result_.mesh, surface().groups, model);
+  }
+
+  // A point that is kept for its own sake is no tip of the surface.
+  ConstraintTags bind_sheets() {
+    ConstraintTags tags = bind_features(sheets_, network_);
+    for (const std::uint32_t p : lines_.fixed)
+      if (const Support support = tags.support[VertexId(p)];
+          support.is_node() && network_.curves_at[support.node()].empty())
+        tags.support[VertexId(p)] = Support::free();
+    return tags;
   }
 
   void require_valid(const SurfaceModel& model) const {
@@ -258,25 +267,18 @@ class ImproveSurfaceJob {
   // Each number's edges cover what they covered before.
   void require_lines_kept() const {
     const Mesh& mesh = result_.mesh;
-    Lengths now, before;
+    std::map<std::int32_t, double> now;
     const auto constraint = mesh.find_tag<EdgeId, std::int32_t>("constraint");
     for (const EdgeId e : mesh.edges()) {
       const auto [a, b] = mesh.edge_ends(e);
       if (constraint[e] >= 0) now[constraint[e]] += length(mesh.point3(b) - mesh.point3(a));
     }
-    const auto add_before = [&](std::uint32_t a, std::uint32_t b, std::int32_t number) {
-      if (number >= 0) before[number] += length(surface().points[b] - surface().points[a]);
-    };
-    for (const LineEdge& edge : lines_.edges)
-      for (const std::int32_t number : lines_.numbers[static_cast<std::size_t>(edge.line)])
-        add_before(edge.ends[0], edge.ends[1], number);
-    for (const EdgeApart& edge : lines_.apart) add_before(edge.a, edge.b, edge.number);
     const double slack =
         1e-6 * std::sqrt(area_) + 2 * result_.tolerance * static_cast<double>(mesh.edge_slots());
-    for (const auto& [number, whole] : before)
+    for (const auto& [number, whole] : lines_.lengths(surface()))
       if (const double kept = now[number]; std::abs(kept - whole) > slack)
-        throw Error(ErrorKind::kBug, fmt::format("tagged edges {} had a length of {} and have {} now",
-                                                 labels_.constraint(number), whole, kept));
+        throw Error(ErrorKind::kBug, fmt::format("{}: tagged edges {} had a length of {} and have {} now",
+                                                 options_.input, labels_.constraint(number), whole, kept));
   }
 
   [[nodiscard]] const TriangleSurface& surface() const { return faces_.triangles.surface; }

@@ -44,6 +44,18 @@ class Sides {
 
 }  // namespace
 
+std::map<std::int32_t, double> SurfaceLines::lengths(const TriangleSurface& surface) const {
+  std::map<std::int32_t, double> lengths;
+  const auto add = [&](std::uint32_t a, std::uint32_t b, std::int32_t number) {
+    if (number >= 0) lengths[number] += length(surface.points[b] - surface.points[a]);
+  };
+  for (const LineEdge& edge : edges)
+    for (const std::int32_t number : numbers[static_cast<std::size_t>(edge.line)])
+      add(edge.ends[0], edge.ends[1], number);
+  for (const EdgeApart& edge : apart) add(edge.a, edge.b, edge.number);
+  return lengths;
+}
+
 std::vector<std::int32_t> SurfaceLines::numbers_of(const FeatureCurve& curve, bool rim) const {
   if (curve.line < 0) return rim ? std::vector<std::int32_t>{-1} : std::vector<std::int32_t>();
   std::vector<std::int32_t> found = numbers[static_cast<std::size_t>(curve.line)];
@@ -60,7 +72,8 @@ SurfaceLines find_surface_lines(const ReadCells& cells, const FaceSurface& surfa
   std::vector<NumberedEdge> tagged;
   for (std::size_t i = 0; i < cells.edges.size(); ++i) {
     const std::uint32_t a = cells.edges[i].first.value(), b = cells.edges[i].second.value();
-    if (a < used.size() && b < used.size() && used[a] != 0 && used[b] != 0 && a != b)
+    if (a == b) continue;  // of one place: welding left nothing of it
+    if (a < used.size() && b < used.size() && used[a] != 0 && used[b] != 0)
       tagged.emplace_back(join_of(a, b), cells.constraints[i]);
     else
       ++lines.lost;

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <vector>
 
 #include "io/mesh/read_cells.hpp"
@@ -24,11 +25,13 @@ struct SurfaceLines {
   // All numbers that an edge bears, ascending, -1 where it is tagged without one.
   std::vector<std::vector<std::int32_t>> numbers;
   std::vector<EdgeApart> apart;
-  std::size_t tagged = 0;  // edges of the file, but for those
-  std::size_t lost = 0;    // that join points of no face
+  std::size_t tagged = 0;  // edges of the file that are kept
+  std::size_t lost = 0;    // edges that join points of no face
   // Points that stay where they are, beside the ends of features: those of the file, and ends of edges apart.
   std::vector<std::uint32_t> fixed;
 
+  // How long the edges of each number are together, apart ones too; without those of none.
+  [[nodiscard]] std::map<std::int32_t, double> lengths(const TriangleSurface& surface) const;
   // The numbers of the edges on a curve; a rim without any has -1, other features none.
   [[nodiscard]] std::vector<std::int32_t> numbers_of(const FeatureCurve& curve, bool rim) const;
 };

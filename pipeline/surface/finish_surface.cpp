@@ -12,6 +12,7 @@
 #include "engine/parallel/parallel.hpp"
 #include "io/mesh/mesh_file.hpp"
 #include "kernels/quality/face.hpp"
+#include "surface/quads/normal_around.hpp"
 #include "surface/repair/sheets.hpp"
 
 namespace quarry {
@@ -41,17 +42,20 @@ bool lies_upside_down(const Mesh& mesh, const SurfaceModel& model, FaceId f, dou
   return !model.faces_along(middle, normal, kSlack * size, reach);
 }
 
-// The edges in which sheets end, by the places of their ends: one sheet does at a rim, several where they
-// meet.
-class OuterEdges {
+// The constrained edges by the places of their ends: where sheets meet several of them lie in one place, and
+// an edge within one sheet may bear others.
+class ConstrainedEdges {
  public:
-  explicit OuterEdges(const Mesh& mesh) : mesh_(mesh) {
+  ConstrainedEdges(const Mesh& mesh, const ConstraintTags& tags) : mesh_(mesh) {
     for (const FaceId f : mesh.faces())
-      for (int k = 0; mesh.alive(f) && k < mesh.corner_count(f); ++k)
-        if (const SideId s(f, k); !mesh.neighbour(s).valid()) ++ends_[key(s)].sheets;
+      for (int k = 0; mesh.alive(f) && k < mesh.corner_count(f); ++k) {
+        const SideId s(f, k);
+        const SideId t = mesh.neighbour(s);
+        if (tags.constrained(s) && (!t.valid() || s < t)) ++ends_[key(s)].sheets;
+      }
   }
 
-  // Of an outer side.
+  // Of a constrained side.
   [[nodiscard]] bool is_shared(SideId s) const { return ends_.at(key(s)).sheets > 1; }
   // True once for each edge.
   bool take(SideId s) { return !std::exchange(ends_.at(key(s)).taken, true); }
@@ -94,20 +98,20 @@ void set_surface_regions(Mesh& mesh, const std::vector<std::int32_t>& groups, co
     return;
   }
   auto region = mesh.add_tag<FaceId, std::int32_t>("region", -1);
+  std::vector<std::uint8_t> seen(mesh.face_slots(), 0);
   std::vector<FaceId> part;
   for (const FaceId first : mesh.faces()) {
-    if (!mesh.alive(first) || region[first] >= 0) continue;
+    if (!mesh.alive(first) || seen[first.value()] != 0) continue;
     part.assign(1, first);
-    region[first] = 0;
+    seen[first.value()] = 1;
     std::map<std::int32_t, std::size_t> votes;
     for (std::size_t i = 0; i < part.size(); ++i) {
       const Vec3 middle = 0.5 * (mesh.point3(mesh.corner(part[i], 0)) + mesh.point3(mesh.corner(part[i], 2)));
-      ++votes[groups[model.nearest({middle, Vec3()}).triangle.value()]];
+      ++votes[groups[model.nearest({middle, area_vector(mesh, part[i])}).triangle.value()]];
       for (int k = 0; k < mesh.corner_count(part[i]); ++k) {
         const SideId s(part[i], k);
         const SideId t = mesh.neighbour(s);
-        if (tags.constrained(s) || !t.valid() || region[t.face()] >= 0) continue;
-        region[t.face()] = 0;
+        if (tags.constrained(s) || !t.valid() || std::exchange(seen[t.face().value()], 1) != 0) continue;
         part.push_back(t.face());
       }
     }
@@ -121,7 +125,7 @@ void finish_surface_mesh(Mesh& mesh, const CurveNetwork& network, const NumbersO
   const ConstraintTags tags = ConstraintTags::of(mesh);
   auto constraint = mesh.add_tag<EdgeId, std::int32_t>("constraint", -1);
   auto kind = mesh.add_tag<EdgeId, std::int32_t>("kind", kInteriorConstraint);
-  OuterEdges outer(mesh);
+  ConstrainedEdges edges(mesh, tags);
   for (const FaceId f : mesh.faces()) {
     for (int k = 0; mesh.alive(f) && k < mesh.corner_count(f); ++k) {
       const SideId s(f, k);
@@ -129,8 +133,8 @@ void finish_surface_mesh(Mesh& mesh, const CurveNetwork& network, const NumbersO
       if (!tags.constrained(s) || (t.valid() && t < s)) continue;
       const VertexId a = mesh.origin(s);
       const VertexId b = mesh.target(s);
-      if (!t.valid() && !outer.take(s)) continue;
-      const bool rim = !t.valid() && !outer.is_shared(s);
+      if (!edges.take(s)) continue;
+      const bool rim = !t.valid() && !edges.is_shared(s);
       const Vec3 middle = 0.5 * (mesh.point3(a) + mesh.point3(b));
       for (const std::int32_t number :
            numbers(network.under_edge(tags.support[a], tags.support[b], middle), rim)) {

@@ -69,7 +69,7 @@ FeatureEdges find_feature_edges(const RepairedSurface& repaired, const FeatureOp
       features.push_back({ends, FeatureKind::kLine, line});
     } else if (options.group_borders && surface.groups[sides[0] / 3] != surface.groups[sides[1] / 3]) {
       features.push_back({ends, FeatureKind::kBorder});
-    } else if (turns[e] >= options.weakest_share * sharp) {
+    } else if (sharp_degrees < 180 && turns[e] >= options.weakest_share * sharp) {
       // An edge that is a chain by itself is no noise, whatever the edges beside it are: each face of a
       // polyhedron may be a single triangle.
       const double size = length(surface.points[ends[1]] - surface.points[ends[0]]);

@@ -7,6 +7,7 @@
 #include "surface/quads/face_verdict.hpp"
 #include "surface/quads/mend_faces.hpp"
 #include "surface/quads/normal_around.hpp"
+#include "surface/quads/place_on_surface.hpp"
 
 namespace quarry {
 namespace {
@@ -26,17 +27,16 @@ std::vector<FaceId> find_folded_faces(Mesh& mesh) {
   });
   std::vector<FaceId> folded;
   for (const std::uint32_t f : parallel::filter_indices(mesh.face_slots(), [&](std::size_t i) {
-         return mesh.alive(FaceId(i)) && !(face_verdict(mesh, normals, FaceId(i)) > 0);
+         return mesh.alive(FaceId(i)) && !(face_verdict(mesh, normals, FaceId(i)) > kNotConvex);
        }))
     folded.emplace_back(f);
   return folded;
 }
 
-std::size_t unfold_faces(Mesh& mesh, const ConstraintTags& tags, const Progress& progress) {
-  std::size_t left = find_folded_faces(mesh).size();
-  if (left > 0) left = mend_faces(mesh, tags, FreeSpace(), progress);
+void unfold_faces(Mesh& mesh, const ConstraintTags& tags, const Progress& progress) {
+  clear_feature_normals(mesh, tags);
+  mend_faces(mesh, tags, FreeSpace(), progress);
   mesh.remove_normals();
-  return left;
 }
 
 }  // namespace quarry

@@ -190,7 +190,9 @@ TEST_F(ImproveSurface, KeepsTheSharpEdgesOfACubeThoughNoneIsTagged) {
 }
 
 TEST_F(ImproveSurface, RoundsACubeIfNoEdgeIsSharp) {
-  EXPECT_EQ(improved(cube(8, 0.5, 1), {.input = {}, .sharp_degrees = 180}).sharp_edges, 0U);
+  const ImproveResult result = improved(cube(8, 0.5, 1), {.input = {}, .sharp_degrees = 180});
+  EXPECT_EQ(result.sharp_edges, 0U);
+  EXPECT_LT(summarize_quality(result.mesh).area, 6 - 1e-4);
 }
 
 TEST_F(ImproveSurface, WeldsPointsAtOnePlaceAndSaysSo) {
@@ -355,11 +357,87 @@ TEST_F(ImproveSurface, LeavesNoInvertedFaceBehind) {
   EXPECT_GT(summarize_quality(result.mesh).all.scaled_jacobian.min, 0.2);
 }
 
+TEST_F(ImproveSurface, UntanglesOnAFlatSideBesideSharpEdges) {
+  Cells cells = cube(10, 0, 1);
+  // A point of the first side goes over its neighbour, two rows from an edge.
+  std::string text = cells.text();
+  const std::string from = fmt::format("v {:.17g} {:.17g} {:.17g}\n", 0.2, 0.4, 0.0);
+  const std::size_t place = text.find(from);
+  ASSERT_NE(place, std::string::npos);
+  text.replace(place, from.size(), "v 0.33 0.42 0\n");
+  const ImproveResult result = improve_mesh({.input = folder_.file("in.obj", text)}, {});
+  EXPECT_GT(result.invalid, 0U);
+  const QualitySummary after = summarize_quality(result.mesh);
+  EXPECT_NEAR(after.area, 6, 1e-9);
+  EXPECT_GT(after.all.scaled_jacobian.min, 0.2);
+}
+
+TEST_F(ImproveSurface, LeavesAStepOfOneFaceAsItIs) {
+  Cells cells;
+  const std::uint32_t n = 10;
+  const auto floor = cells.patch(n, [](double u, double v) { return Vec3{10 * u - 10, 10 * v, 0}; });
+  const auto tread = cells.patch(n, [](double u, double v) { return Vec3{10 * u, 10 * v, 0.2}; });
+  for (std::uint32_t j = 0; j < n; ++j)
+    cells.face({floor[11 * j + 10], tread[11 * j], tread[11 * j + 11], floor[11 * j + 21]});
+  const ImproveResult result = improved(cells);
+  EXPECT_EQ(result.invalid, 0U);
+  EXPECT_NEAR(summarize_quality(result.mesh).area, 202, 1e-9);
+  for (const VertexId v : result.mesh.vertices()) {
+    const double z = result.mesh.point3(v).z;
+    EXPECT_TRUE(z == 0 || z == 0.2) << z;
+  }
+}
+
+TEST_F(ImproveSurface, CountsAnEdgeOnceOnWhichAFinStands) {
+  Cells cells;
+  const auto at = cells.patch(3, [](double u, double v) { return Vec3{3 * u, 3 * v, 0.1 * u * v}; });
+  const std::uint32_t a = cells.point({1, 1, 1}), b = cells.point({2, 1, 1});
+  cells.face({at[5], at[6], b, a});
+  cells.more(fmt::format("g line_7\nl {} {}\n", at[5], at[6]));
+  const ImproveResult result = improved(cells);
+  const MeshFileTags tags(result.mesh);
+  int tagged = 0, rims = 0;
+  for (const EdgeId e : result.mesh.edges()) {
+    tagged += tags.constraint(e) == 7 ? 1 : 0;
+    rims += tags.kind(e) == kOuterBoundary ? 1 : 0;
+  }
+  EXPECT_EQ(tagged, 1);
+  EXPECT_EQ(rims, 12 + 3);
+}
+
+TEST_F(ImproveSurface, KeepsBordersOfRegionsThatNoEdgeTells) {
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+    const SampleMesh sample{.size = 20, .disorder = 0.6, .seed = seed, .relief = 0.05};
+    Mesh before = make_sample_mesh(sample);
+    auto region = before.find_tag<FaceId, std::int32_t>("region");
+    for (const FaceId f : before.faces()) region[f] = f.value() < 150 ? -1 : 4;
+    write_mesh(folder_.file("in.vtu"), before, {});
+    const ImproveResult result = improve_mesh({.input = folder_.file("in.vtu")}, {});
+    expect_near(areas_by(result.mesh, "region"), areas_by(before, "region"), 0.02);
+  }
+}
+
+TEST_F(ImproveSurface, PassesOverPointsOfNoFace) {
+  const Cells cells = cube(6, 0.5, 1);
+  const ImproveResult alone = improved(cells);
+  const ImproveResult result =
+      improve_mesh({.input = folder_.file("b.obj", cells.text() + "v 1e12 0 0\nv 5 5 5\n")}, {});
+  EXPECT_EQ(result.tolerance, alone.tolerance);
+  EXPECT_EQ(result.mesh.vertex_slots(), alone.mesh.vertex_slots());
+  const ImproveResult flat = improve_mesh(
+      {.input = folder_.file("c.obj", "v 0 0\nv 1 0\nv 1 1\nv 0 1\nv 3 3 3\nf 1 2 3 4\n"), .size = 0.5}, {});
+  EXPECT_TRUE(flat.mesh.planar());
+}
+
 TEST_F(ImproveSurface, RefusesWhatItCannotDoInOneLine) {
   const std::string slope = folder_.file("a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 1\nv 0 1 1\nf 1 2 3 4\n");
   expect_error({.input = slope, .size = 0.5}, ErrorKind::kUsage, "--size is for meshes of the plane");
   expect_error({.input = slope, .irregular_price = "distance"}, ErrorKind::kUsage, "--irregular-price");
   expect_error({.input = slope, .mixed_quality = 0.3}, ErrorKind::kUsage, "--elements mixed");
+  expect_error({.input = folder_.file("f.obj", "v 0 0\nv 1 0\nv 1 1\nf 1 2 3\n"), .sharp_degrees = 40},
+               ErrorKind::kUsage, "--sharp is for meshes in space");
+  expect_error({.input = folder_.file("d.obj", "v 0 0 1\nv 2 0 1\nv 0.5 0.5 1\nv 0 2 1\nf 1 2 3 4\n")},
+               ErrorKind::kGeometry, "1 faces cannot be made valid");
   expect_error({.input = folder_.file("b.obj", "v 0 0 0\nv 1 0 0\nv 1 0 0\nv 0 0 1\nv 0 0 1\nf 2 3 4 5\n")},
                ErrorKind::kGeometry, "face 1 has fewer than 4 places");
 }

@@ -100,15 +100,18 @@ TEST_F(ImproveJob, UntanglesAVertexThatLiesOutsideItsStar) {
   EXPECT_EQ(validate(result.mesh, GeometryCheck::kPlanarCorners), "");
 }
 
-// A square of n by n quads whose inner vertices lie up to `disorder` / 2 edges from their places.
-std::string tangled_square(std::uint32_t n, double disorder, std::uint64_t seed) {
+// A square of n by n quads whose inner vertices lie up to `disorder` / 2 edges from their places, and those
+// of its sides up to `along` / 2 along them.
+std::string tangled_square(std::uint32_t n, double disorder, std::uint64_t seed, double along = 0) {
   std::string text;
   for (std::uint32_t j = 0; j <= n; ++j)
     for (std::uint32_t i = 0; i <= n; ++i) {
       const std::uint64_t k = std::uint64_t{j} * (n + 1) + i;
-      const double by = i > 0 && j > 0 && i < n && j < n ? disorder : 0;
-      text += "v " + std::to_string(i + by * (uniform01(seed, 2 * k) - 0.5)) + " " +
-              std::to_string(j + by * (uniform01(seed, 2 * k + 1) - 0.5)) + "\n";
+      const bool in_x = i > 0 && i < n;
+      const bool in_y = j > 0 && j < n;
+      const double by = in_x && in_y ? disorder : along;
+      text += "v " + std::to_string(i + (in_x ? by : 0) * (uniform01(seed, 2 * k) - 0.5)) + " " +
+              std::to_string(j + (in_y ? by : 0) * (uniform01(seed, 2 * k + 1) - 0.5)) + "\n";
     }
   for (std::uint32_t j = 0; j < n; ++j)
     for (std::uint32_t i = 0; i < n; ++i) {
@@ -125,6 +128,27 @@ TEST_F(ImproveJob, UntanglesWhateverMayMove) {
         improve_mesh({.input = folder_.file("in.obj", tangled_square(16, 4, seed))}, {});
     EXPECT_GT(result.invalid, 50U) << seed;
     EXPECT_EQ(validate(result.mesh, GeometryCheck::kPlanarCorners), "") << seed;
+  }
+}
+
+TEST_F(ImproveJob, LetsVerticesSlideAlongStraightSidesWhereItUntangles) {
+  for (const std::uint64_t seed : {1U, 2U, 3U, 4U}) {
+    const ImproveResult result =
+        improve_mesh({.input = folder_.file("in.obj", tangled_square(16, 4, seed, 0.9))}, {});
+    EXPECT_GT(result.invalid, 50U) << seed;
+    EXPECT_EQ(validate(result.mesh, GeometryCheck::kPlanarCorners), "") << seed;
+    EXPECT_EQ(result.pieces, 4U) << seed;
+    double least = 16;
+    for (const VertexId v : result.mesh.vertices()) {
+      if (!result.mesh.on_boundary(v)) continue;
+      const Vec2 p = result.mesh.point(v);
+      EXPECT_TRUE(p.x == 0 || p.x == 16 || p.y == 0 || p.y == 16) << seed << ": " << p.x << " " << p.y;
+    }
+    for (const EdgeId e : result.mesh.edges()) {
+      const auto [a, b] = result.mesh.edge_ends(e);
+      least = std::min(least, distance(result.mesh.point(a), result.mesh.point(b)));
+    }
+    EXPECT_GT(least, 0.3) << "sides were as short as 0.1, seed " << seed;
   }
 }
 

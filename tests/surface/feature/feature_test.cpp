@@ -1,5 +1,8 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -51,6 +54,58 @@ TEST(FeatureEdges, NameRimsBordersAndJoins) {
   EXPECT_EQ(count(edges, FeatureKind::kBorder), 8U);
   EXPECT_EQ(count(find_feature_edges(repair_surface(test::three_sheets(), {}), {}).edges, FeatureKind::kJoin),
             1U);
+}
+
+// A ring of points, of which every second lies in the middle between its neighbours.
+TEST(CurveNetwork, HasANodeAtEachBendWhereItIsToBeStraight) {
+  TriangleSurface fan;
+  const std::uint32_t corners = 12;
+  for (std::uint32_t i = 0; i < corners; ++i) {
+    const auto at = [](std::uint32_t k) {
+      const double turn = 2 * std::numbers::pi * k / corners;
+      return Vec3{std::cos(turn), std::sin(turn), 0.1 * std::cos(2 * turn)};
+    };
+    fan.points.push_back(0.5 * (at(i) + at(i + corners - 1)));
+    fan.points.push_back(at(i));
+  }
+  fan.points.push_back({0, 0, 0});
+  for (std::uint32_t i = 0; i < 2 * corners; ++i)
+    fan.triangles.push_back({i, (i + 1) % (2 * corners), 2 * corners});
+  fan.groups.assign(fan.triangles.size(), 0);
+  const RepairedSurface repaired = repair_surface(fan, {});
+  const auto edges = find_feature_edges(repaired, {.sharp_degrees = 180}).edges;
+  EXPECT_EQ(make_curve_network(repaired.surface, edges, {}).nodes.size(), 0U);
+  const FeatureOptions straight{.straightness = 1e-12};
+  const CurveNetwork network = make_curve_network(repaired.surface, edges, straight);
+  EXPECT_EQ(network.nodes.size(), corners);
+  for (const FeatureCurve& curve : network.curves) EXPECT_EQ(curve.points.size(), 3U);
+  const std::vector<std::uint32_t> more = {0, 4, 2 * corners};
+  EXPECT_EQ(make_curve_network(repaired.surface, edges, straight, more).nodes.size(), corners + 3);
+}
+
+TEST(CurveNetwork, KnowsTheCurveUnderEachOfItsEdges) {
+  const CurveNetwork network = network_of(repair_surface(test::cube(), {}), {});
+  for (const PieceId id : IdRange<PieceId>(network.curves.size())) {
+    const std::vector<Vec3>& points = network.curves[id].course.points();
+    const Vec3 middle = 0.5 * (points.front() + points.back());
+    std::vector<Support> ends;
+    for (const NodeId n : IdRange<NodeId>(network.nodes.size()))
+      for (const std::uint32_t p : {network.curves[id].points.front(), network.curves[id].points.back()})
+        if (network.nodes[n] == p) ends.push_back(Support::at(n));
+    ASSERT_EQ(ends.size(), 2U);
+    EXPECT_EQ(network.under_edge(ends[0], ends[1], middle), id);
+    EXPECT_EQ(network.under_edge(Support::on(id), ends[1], middle), id);
+  }
+}
+
+TEST(FeatureEdges, AreNoneWithinAFace) {
+  // Two triangles that are one bent face.
+  const RepairedSurface bent = repair_surface(
+      test::surface_of({{0, 0, 0}, {1, 0, 1}, {1, 1, 0}, {0, 1, 1}}, {{0, 1, 2}, {0, 2, 3}}), {});
+  const std::vector<SheetJoin> within = {{0, 2}};
+  EXPECT_EQ(count(find_feature_edges(bent, {.sharp_degrees = 30}).edges, FeatureKind::kSharp), 1U);
+  EXPECT_EQ(count(find_feature_edges(bent, {.sharp_degrees = 30}, {}, within).edges, FeatureKind::kSharp),
+            0U);
 }
 
 TEST(FeatureEdges, OfAFoldGoOnWhereItFades) {
