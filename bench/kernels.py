@@ -5,8 +5,8 @@ Markdown, or writes it as docs/results-kernels.md.
 usage: kernels.py [--programs build/bench/bench] [--threads 1,2] [--only NAME,...] [--filter REGEX] [--quick]
                   [--out docs/results-kernels.md]
 
---only     of the programs in SOURCES, without _bench: engine, initial, deferred, cluster, smooth, mesh_reader, linework,
-           cleanup, matching
+--only     of the programs in SOURCES, without _bench: engine, initial, deferred, cluster, smooth, crossfield, mesh_reader,
+           mesh_writer, linework, cleanup, matching
 --filter   of the benchmarks in programs that have a harness (Google Benchmark), those whose names fit this
 --quick    short runs on small input
 --out      the page; without it the table is printed
@@ -28,19 +28,22 @@ PAGE = """# Kernels alone
 Made by `bench/kernels.py`, which anyone can rerun; do not edit. Each kernel by
 itself, on input that is in memory, by the clock; with one thread matching is by processor time. What an element is, the
 table says: what a kernel is given, or, of start meshes and insertion, what it makes. Input: networks of `quarry generate
-fractures` (bench/synthetic_network), drawn domains (bench/domains), random keys and points. Kernels without a figure for
+fractures` (bench/synthetic_network), drawn domains (bench/domains), wavy surfaces, random keys and points. Kernels without a figure for
 more threads than one are called from within parallel loops. Machine: {machine}. Sources as of {commit}.
 
 {table}
 """
 
-HARNESS = ("engine", "initial", "deferred", "cluster", "smooth", "mesh_reader")
+HARNESS = ("engine", "initial", "deferred", "cluster", "smooth", "crossfield", "mesh_reader", "mesh_writer")
 # How a benchmark is called, and what it counts, by the beginning of its name.
 KERNELS = {"sorted_order_by_radix": ("sorting by radix", "keys"), "run_predicate": ("predicate", "calls"),
            "make_start": ("start mesh", "triangles made"), "insert_network": ("insertion of lines", "attractions"),
            "pair": ("pairing", "triangles"), "recut": ("recutting of mixed meshes", "triangles"),
            "merge_and_halve": ("merging and halving", "triangles"), "smooth_quads": ("smoothing", "quads"),
-           "smooth_region": ("smoothing of a region", "vertices"), "quarry_reads": ("reading", "triangles")}
+           "smooth_region": ("smoothing of a region", "vertices"), "field_of_levels": ("fields, levels", "vertices"),
+           "field_of_crosses": ("fields, crosses", "vertices"), "field_of_spacing": ("fields, spacing", "vertices"),
+           "field_of_positions": ("fields, positions", "vertices"), "quarry_reads": ("reading", "triangles"),
+           "quarry_writes": ("writing", "quads")}
 UNITS = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1}
 PEERS = re.compile("assimp_reads|by_stable_sort")
 STEPS = {"shapes_s": "shapes of pairs", "ways_s": "short ways", "forest_s": "spanning forest", "parity_s": "parities",
