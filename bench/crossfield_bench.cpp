@@ -1,13 +1,11 @@
 // Fields on a wavy surface of triangles, each kernel on its own, in vertices a second.
-#include <cmath>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 #include <benchmark/benchmark.h>
 
 #include "bench/thread_counts.hpp"
-#include "engine/mesh/build.hpp"
+#include "bench/wavy_mesh.hpp"
 #include "engine/parallel/parallel.hpp"
 #include "kernels/crossfield/cross_field.hpp"
 #include "kernels/crossfield/field_levels.hpp"
@@ -20,29 +18,9 @@ namespace {
 constexpr std::uint32_t kSide = 400;
 constexpr std::size_t kFewestVertices = 16;
 
-// Rows of equilateral triangles of edge 1 over a square, in waves.
-Mesh waves() {
-  std::vector<double> x, y, z;
-  std::vector<FaceCorners> faces;
-  for (std::uint32_t j = 0; j <= kSide; ++j)
-    for (std::uint32_t i = 0; i <= kSide; ++i) {
-      x.push_back(i + 0.5 * (j % 2));
-      y.push_back(0.5 * std::sqrt(3.0) * j);
-      z.push_back(8 * std::sin(x.back() / 20) * std::cos(y.back() / 25));
-    }
-  for (std::uint32_t j = 0; j < kSide; ++j)
-    for (std::uint32_t i = 0; i < kSide; ++i) {
-      const VertexId a(j * (kSide + 1) + i), b(a.value() + 1), c(a.value() + kSide + 1), d(c.value() + 1);
-      const bool even = j % 2 == 0;
-      faces.push_back({a, b, even ? c : d, VertexId()});
-      faces.push_back({even ? b : a, d, c, VertexId()});
-    }
-  return build_mesh(std::move(x), std::move(y), std::move(z), faces);
-}
-
 // Nothing is given: the first mode of the whole surface is looked for.
 struct Fields {
-  Mesh mesh = waves();
+  Mesh mesh = bench::wavy_mesh(kSide, bench::WavyFaces::kTriangles);
   FieldLevel finest = finest_level(mesh, std::vector<std::uint8_t>(mesh.vertex_slots(), 0), {});
   std::vector<FieldLevel> levels = field_levels(finest, kFewestVertices);
   std::vector<Vec3> none = std::vector<Vec3>(mesh.vertex_slots());

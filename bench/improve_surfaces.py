@@ -16,8 +16,8 @@ import os
 import tempfile
 
 from jobs import Referee, load_json, machine_text, run, say, source_commit
-from quads_map_tables import IMPROVED
-from tables import table, thousands, verdict
+from quads_map_tables import IMPROVED, improved_cells
+from tables import failed_row, table, thousands
 
 # OpenCASCADE's shape, and the wanted edge.
 SHAPES = {
@@ -114,17 +114,12 @@ def make_table(rows):
     body = []
     for row in rows:
         if "error" in row:
-            body.append([*row["label"], row["error"], *[""] * (len(header) - 3)])
+            body.append(failed_row(row, row["label"], len(header)))
             continue
         before, after = row["before"], row["after"]
-        cells = []
-        for _, figure, more, digits in IMPROVED:
-            old, new = figure(before), figure(after)
-            met = new >= old - 1e-12 if more else new <= old + 1e-12
-            cells.append(f"{old:.{digits}f} -> {new:.{digits}f}: {verdict(met)}")
         body.append([*row["label"], *[f"{thousands(before[kind])} -> {thousands(after[kind])}"
                                       for kind in ("quads", "triangles")],
-                     *cells, thousands(row["counts"]["tagged_edges"]), checked(row), f"{row['seconds']:.1f}"])
+                     *improved_cells(before, after), thousands(row["counts"]["tagged_edges"]), checked(row), f"{row['seconds']:.1f}"])
     return table(header, body)
 
 

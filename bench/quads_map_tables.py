@@ -161,6 +161,17 @@ IMPROVED = (("SJ min", lambda q: q["scaled_jacobian"]["min"], True, 3),
             ("areas, 99 % / 1 %", lambda q: q["face_area"]["ratio"], False, 1))
 
 
+def improved_cells(before, after):
+    """Each of these figures before and after, and whether it is no worse."""
+    cells = []
+    for _, figure, more, digits in IMPROVED:
+        old, new = figure(before), figure(after)
+        # Equal figures may differ in the last bits.
+        met = new >= old - 1e-12 if more else new <= old + 1e-12
+        cells.append(f"{old:.{digits}f} -> {new:.{digits}f}: {verdict(met)}")
+    return cells
+
+
 def table_improve(rows):
     header = ["gmsh's recombination", "lines", "quads", "triangles", *[name for name, *_ in IMPROVED],
               "% not positive", "tagged edges covered, %", "by sides of faces", "s"]
@@ -171,12 +182,7 @@ def table_improve(rows):
             body.append(failed_row(row, label, len(header)))
             continue
         before, after = row["before"], row["after"]
-        cells = []
-        for _, figure, more, digits in IMPROVED:
-            old, new = figure(before), figure(after)
-            # Equal figures may differ in the last bits.
-            met = new >= old - 1e-12 if more else new <= old + 1e-12
-            cells.append(f"{old:.{digits}f} -> {new:.{digits}f}: {verdict(met)}")
+        cells = improved_cells(before, after)
         old, new = (100 * quality["scaled_jacobian"]["share_not_positive"] for quality in (before, after))
         cells.append(f"{old:.3f} -> {new:.3f}: {verdict(new == 0)}")
         body.append([*label, f"{thousands(before['quads'])} -> {thousands(after['quads'])}",

@@ -182,6 +182,22 @@ void turn_faces(ReadCells& cells, FaceSurface& result) {
   }
 }
 
+// Finds the edges in which sheets end, and the mean side.
+void look_at_edges(FaceSurface& result) {
+  const TriangleSurface& surface = result.triangles.surface;
+  const SurfaceEdges edges(surface);
+  double sum = 0;
+  for (std::size_t e = 0; e < edges.count(); ++e) {
+    const auto [a, b] = SurfaceEdges::ends(surface, edges.sides(e)[0]);
+    const SheetJoin ends = join_of(a, b);
+    const EdgeUse use = edges.use_of(surface, e);
+    if (use == EdgeUse::kSeam || use == EdgeUse::kBranch) result.triangles.joins.push_back(ends);
+    if (!std::binary_search(result.within.begin(), result.within.end(), ends))
+      sum += length(surface.points[b] - surface.points[a]);
+  }
+  result.mean_side = sum / static_cast<double>(edges.count() - result.within.size());
+}
+
 }  // namespace
 
 FaceSurface make_face_surface(const std::string& path, ReadCells& cells) {
@@ -196,13 +212,7 @@ FaceSurface make_face_surface(const std::string& path, ReadCells& cells) {
     add_triangles(cells.faces[f], diagonals[f], cells.regions[f], result);
   std::sort(result.within.begin(), result.within.end());
   turn_faces(cells, result);
-  const SurfaceEdges edges(surface);
-  for (std::size_t e = 0; e < edges.count(); ++e) {
-    const EdgeUse use = edges.use_of(surface, e);
-    if (use != EdgeUse::kSeam && use != EdgeUse::kBranch) continue;
-    const auto [a, b] = SurfaceEdges::ends(surface, edges.sides(e)[0]);
-    result.triangles.joins.push_back(join_of(a, b));
-  }
+  look_at_edges(result);
   return result;
 }
 
@@ -231,20 +241,6 @@ Mesh make_face_mesh(const FaceSurface& surface, const Mesh& sheets, const std::v
   auto point = mesh.add_tag<VertexId, std::uint32_t>(kSurfacePointTag);
   for (const VertexId v : mesh.vertices()) point[v] = from[v];
   return mesh;
-}
-
-double mean_side(const FaceSurface& faces) {
-  const TriangleSurface& surface = faces.triangles.surface;
-  const SurfaceEdges edges(surface);
-  double sum = 0;
-  std::size_t count = 0;
-  for (std::size_t e = 0; e < edges.count(); ++e) {
-    const auto [a, b] = SurfaceEdges::ends(surface, edges.sides(e)[0]);
-    if (std::binary_search(faces.within.begin(), faces.within.end(), join_of(a, b))) continue;
-    sum += length(surface.points[b] - surface.points[a]);
-    ++count;
-  }
-  return sum / static_cast<double>(count);
 }
 
 double rounding_of(const TriangleSurface& surface) {

@@ -17,6 +17,7 @@ struct FaceSurface {
   RepairedSurface triangles;
   // The edges that divide a quad, ascending.
   std::vector<SheetJoin> within;
+  double mean_side = 0;      // the mean length of the sides of faces, in input units
   std::size_t turned = 0;    // faces
   std::size_t welded = 0;    // points that went into another at the same place
   std::size_t narrowed = 0;  // quads with two corners at one place, which are triangles now
@@ -36,11 +37,8 @@ struct FaceSurface {
 [[nodiscard]] Mesh make_face_mesh(const FaceSurface& surface, const Mesh& sheets,
                                   const std::vector<FaceCorners>& faces);
 
-// The mean length of the sides of faces.
-[[nodiscard]] double mean_side(const FaceSurface& faces);
-
-// How far rounding within the digits of a file may take a point off a line: 1e-9 of the longer side of the
-// box of all triangles, or what their coordinates tell apart.
+// How far, in input units, rounding within the digits of a file may take a point off a line: 1e-9 of the
+// longer side of the box of all triangles, or what their coordinates tell apart.
 [[nodiscard]] double rounding_of(const TriangleSurface& surface);
 
 }  // namespace quarry

@@ -20,6 +20,7 @@
 #include "kernels/smooth/square_corners.hpp"
 #include "pipeline/improve/clean_up_floor.hpp"
 #include "pipeline/improve/group_labels.hpp"
+#include "pipeline/improve/improve_notes.hpp"
 #include "pipeline/improve/improve_surface.hpp"
 #include "pipeline/improve/input_size.hpp"
 #include "pipeline/improve/tagged_lines.hpp"
@@ -108,10 +109,7 @@ class ImproveJob {
     clock_.start("binding");
     lines_ = bind_lines(result_.mesh, tagged_, result_.tolerance);
     lengths_ = lengths_of_pieces(lines_, result_.mesh);
-    if (lines_.apart > 0)
-      result_.notes.push_back(
-          fmt::format("{}: {} tagged edges are no side of a face: they are kept, and their ends stay fixed",
-                      options_.input, lines_.apart));
+    if (lines_.apart > 0) result_.notes.push_back(edges_apart_note(options_.input, lines_.apart));
     result_.nodes = lines_.lines.nodes.size();
     result_.pieces = lines_.lines.pieces.size();
     clock_.start("untangling");
@@ -136,9 +134,7 @@ class ImproveJob {
                                           result_.turned, cells.faces.size()));
     result_.names = cells.names;
     result_.before = summarize_quality(make_mesh(options_.input, cells));
-    if (result_.before.quads.faces == 0)
-      result_.notes.push_back(fmt::format(
-          "{}: the mesh has no quads: vertices move, but clean-up has nothing to do", options_.input));
+    if (result_.before.quads.faces == 0) result_.notes.push_back(no_quads_note(options_.input));
     labels_ = GroupLabels(cells);
     result_.groups = labels_.groups();
     make_bare_mesh(std::move(cells));
@@ -146,9 +142,8 @@ class ImproveJob {
     const std::vector<std::uint32_t> invalid = invalid_faces(result_.mesh);
     result_.invalid = invalid.size();
     if (!invalid.empty())
-      result_.notes.push_back(fmt::format("{}: {} faces are inverted, concave or flat, the first at {}",
-                                          options_.input, invalid.size(),
-                                          place_of(result_.mesh, FaceId(invalid.front()))));
+      result_.notes.push_back(invalid_faces_note(options_.input, invalid.size(),
+                                                 place_of(result_.mesh, FaceId(invalid.front()))));
   }
 
   // Tagged edges are plain pairs of vertices while the mesh is worked on.
@@ -173,9 +168,7 @@ class ImproveJob {
         ++lost_;
     }
     result_.tagged_edges = tagged_.size();
-    if (lost_ > 0)
-      result_.notes.push_back(fmt::format("{}: {} lines join points that belong to no face, and are left out",
-                                          options_.input, lost_));
+    if (lost_ > 0) result_.notes.push_back(lost_lines_note(options_.input, lost_));
   }
 
   // Clean-up compares shapes, which says little about faces that are turned over.

@@ -14,6 +14,7 @@
 #include "pipeline/improve/clean_up_floor.hpp"
 #include "pipeline/improve/face_surface.hpp"
 #include "pipeline/improve/group_labels.hpp"
+#include "pipeline/improve/improve_notes.hpp"
 #include "pipeline/improve/surface_lines.hpp"
 #include "pipeline/surface/finish_surface.hpp"
 #include "surface/feature/bind.hpp"
@@ -91,10 +92,8 @@ class ImproveSurfaceJob {
       note(fmt::format("{} of {} faces are turned, so that neighbours agree on which side is up",
                        faces_.turned, cells_.faces.size()));
     result_.before = summarize_quality(make_mesh(options_.input, cells_));
-    if (result_.before.quads.faces == 0)
-      note("the mesh has no quads: vertices move, but clean-up has nothing to do");
+    if (result_.before.quads.faces == 0) result_.notes.push_back(no_quads_note(options_.input));
     lines_ = find_surface_lines(cells_, faces_);
-    side_ = mean_side(faces_);
     unfold();
     area_ = area_of(surface());
     if (!(area_ > 0)) throw Error(ErrorKind::kGeometry, options_.input + ": the mesh has no area");
@@ -102,13 +101,13 @@ class ImproveSurfaceJob {
 
   // Where faces are folded over, the surface that they are would be as well.
   void unfold() {
-    sheets_ = make_sheets(faces_.triangles);
-    Mesh mesh = make_face_mesh(faces_, sheets_, cells_.faces);
+    make_meshes();
+    Mesh& mesh = result_.mesh;
     const std::vector<FaceId> folded = find_folded_faces(mesh);
     result_.invalid = folded.size();
-    if (folded.empty()) return;
-    note(fmt::format("{} faces are inverted, concave or flat, the first at {}", folded.size(),
-                     place_text(mesh.point3(mesh.corner(folded.front(), 0)))));
+    if (folded.empty()) return mesh.remove_normals();
+    result_.notes.push_back(invalid_faces_note(options_.input, folded.size(),
+                                               place_text(mesh.point3(mesh.corner(folded.front(), 0)))));
     std::vector<FeatureEdge> features = find_features().edges;
     std::vector<std::uint8_t> touched(surface().points.size(), 0);
     const auto point = mesh.find_tag<VertexId, std::uint32_t>(kSurfacePointTag);
@@ -120,29 +119,36 @@ class ImproveSurfaceJob {
     });
     network_ = make_curve_network(surface(), features, feature_options(), fixed_points());
     unfold_faces(mesh, bind_features(mesh, network_), progress_);
-    take_places(mesh);
+    take_places();
+    make_meshes();
+  }
+
+  void make_meshes() {
+    sheets_ = make_sheets(faces_.triangles);
+    result_.mesh = make_face_mesh(faces_, sheets_, cells_.faces);
   }
 
   // Vertices that were moved within the surface leave it as it is but for folds; if one has left it, a sharp
   // edge was taken for one, and all stay.
-  void take_places(const Mesh& mesh) {
+  void take_places() {
+    const Mesh& mesh = result_.mesh;
     const SurfaceModel before(sheets_, bind_features(sheets_, network_));
     std::vector<Vec3> places = surface().points;
     for (std::size_t i = 0; i < places.size(); ++i) {
       const VertexId v(i);
       if (!mesh.alive(v) || mesh.point3(v) == places[i]) continue;
       places[i] = mesh.point3(v);
-      if (length(before.nearest({places[i], Vec3()}).position - places[i]) > kFarthestUnfolded * side_)
+      if (length(before.nearest({places[i], Vec3()}).position - places[i]) >
+          kFarthestUnfolded * faces_.mean_side)
         return;
     }
     faces_.triangles.surface.points = std::move(places);
-    sheets_ = make_sheets(faces_.triangles);
   }
 
   [[nodiscard]] FeatureOptions feature_options() const {
     FeatureOptions features;
     features.sharp_degrees = options_.sharp_degrees;
-    features.size = side_;
+    features.size = faces_.mean_side;
     features.straightness = result_.tolerance;
     return features;
   }
@@ -153,11 +159,8 @@ class ImproveSurfaceJob {
   // Tagged edges, rims, borders of regions, what sheets share, and edges at which the surface turns sharply.
   void bind() {
     result_.tagged_edges = lines_.tagged;
-    if (lines_.lost > 0)
-      note(fmt::format("{} lines join points that belong to no face, and are left out", lines_.lost));
-    if (!lines_.apart.empty())
-      note(fmt::format("{} tagged edges are no side of a face: they are kept, and their ends stay fixed",
-                       lines_.apart.size()));
+    if (lines_.lost > 0) result_.notes.push_back(lost_lines_note(options_.input, lines_.lost));
+    if (!lines_.apart.empty()) result_.notes.push_back(edges_apart_note(options_.input, lines_.apart.size()));
     const FeatureEdges found = find_features();
     for (const FeatureEdge& edge : found.edges)
       if (edge.kind == FeatureKind::kSharp) ++result_.sharp_edges;
@@ -178,9 +181,8 @@ class ImproveSurfaceJob {
   }
 
   void improve() {
-    result_.mesh = make_face_mesh(faces_, sheets_, cells_.faces);
     static_cast<void>(bind_features(result_.mesh, network_));
-    const SurfaceModel model(sheets_, bind_sheets(), kPointSpacing * side_);
+    const SurfaceModel model(sheets_, bind_sheets(), kPointSpacing * faces_.mean_side);
     sheets_ = Mesh();
     SurfaceQuadOptions options;
     options.cleanup = options_.cleanup;
@@ -290,7 +292,7 @@ class ImproveSurfaceJob {
   ImproveResult result_;
   GroupLabels labels_;
   FaceSurface faces_;
-  double side_ = 0, area_ = 0;  // the mean side of a face, and all of the surface
+  double area_ = 0;
   SurfaceLines lines_;
   Mesh sheets_;  // of triangles
   CurveNetwork network_;

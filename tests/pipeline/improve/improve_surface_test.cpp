@@ -19,6 +19,7 @@
 #include "tests/io/mesh/sample_mesh.hpp"
 #include "tests/io/mesh/tag_measures.hpp"
 #include "tests/io/mesh/temporary_folder.hpp"
+#include "tests/pipeline/improve/improve_checks.hpp"
 
 namespace quarry {
 namespace {
@@ -148,33 +149,13 @@ class ImproveSurface : public testing::Test {
     write_mesh(folder_.file("out.obj"), result.mesh, {});
     return read_mesh(folder_.file("out.obj"));
   }
-  void expect_error(const ImproveOptions& options, ErrorKind kind, const std::string& message) const {
-    try {
-      static_cast<void>(improve_mesh(options, {}));
-      FAIL() << "no error";
-    } catch (const Error& error) {
-      EXPECT_EQ(error.kind(), kind) << error.message();
-      EXPECT_NE(error.message().find(message), std::string::npos) << error.message();
-      EXPECT_EQ(error.message().find(options.input), 0U) << error.message();
-    }
-  }
   TemporaryFolder folder_;
 };
 
 TEST_F(ImproveSurface, IsTheSameOnAnyNumberOfThreads) {
   const std::string path = folder_.file("in.vtu");
   write_mesh(path, make_sample_mesh({.size = 90, .disorder = 0.7, .relief = 0.04}), {});
-  const auto bytes = [&] {
-    write_mesh(folder_.file("out.vtu"), improve_mesh({.input = path}, {}).mesh, {});
-    return file_content(folder_.file("out.vtu"));
-  };
-  std::string one;
-  parallel::with_threads(1, [&] { one = bytes(); });
-  for (const int threads : {2, 4, 7}) {
-    const parallel::ParticipationProbe probe(3);
-    parallel::with_threads(threads, [&] { EXPECT_TRUE(bytes() == one) << threads << " threads"; });
-    EXPECT_GT(probe.chunks_of_other_threads(), 0U) << threads << " threads";
-  }
+  expect_same_bytes_on_threads(folder_, path);
 }
 
 TEST_F(ImproveSurface, KeepsTheSharpEdgesOfACubeThoughNoneIsTagged) {
@@ -431,15 +412,19 @@ TEST_F(ImproveSurface, PassesOverPointsOfNoFace) {
 
 TEST_F(ImproveSurface, RefusesWhatItCannotDoInOneLine) {
   const std::string slope = folder_.file("a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 1\nv 0 1 1\nf 1 2 3 4\n");
-  expect_error({.input = slope, .size = 0.5}, ErrorKind::kUsage, "--size is for meshes of the plane");
-  expect_error({.input = slope, .irregular_price = "distance"}, ErrorKind::kUsage, "--irregular-price");
-  expect_error({.input = slope, .mixed_quality = 0.3}, ErrorKind::kUsage, "--elements mixed");
-  expect_error({.input = folder_.file("f.obj", "v 0 0\nv 1 0\nv 1 1\nf 1 2 3\n"), .sharp_degrees = 40},
-               ErrorKind::kUsage, "--sharp is for meshes in space");
-  expect_error({.input = folder_.file("d.obj", "v 0 0 1\nv 2 0 1\nv 0.5 0.5 1\nv 0 2 1\nf 1 2 3 4\n")},
-               ErrorKind::kGeometry, "1 faces cannot be made valid");
-  expect_error({.input = folder_.file("b.obj", "v 0 0 0\nv 1 0 0\nv 1 0 0\nv 0 0 1\nv 0 0 1\nf 2 3 4 5\n")},
-               ErrorKind::kGeometry, "face 1 has fewer than 4 places");
+  expect_improve_error({.input = slope, .size = 0.5}, ErrorKind::kUsage, "--size is for meshes of the plane");
+  expect_improve_error({.input = slope, .irregular_price = "distance"}, ErrorKind::kUsage,
+                       "--irregular-price");
+  expect_improve_error({.input = slope, .mixed_quality = 0.3}, ErrorKind::kUsage, "--elements mixed");
+  expect_improve_error(
+      {.input = folder_.file("f.obj", "v 0 0\nv 1 0\nv 1 1\nf 1 2 3\n"), .sharp_degrees = 40},
+      ErrorKind::kUsage, "--sharp is for meshes in space");
+  expect_improve_error(
+      {.input = folder_.file("d.obj", "v 0 0 1\nv 2 0 1\nv 0.5 0.5 1\nv 0 2 1\nf 1 2 3 4\n")},
+      ErrorKind::kGeometry, "1 faces cannot be made valid");
+  expect_improve_error(
+      {.input = folder_.file("b.obj", "v 0 0 0\nv 1 0 0\nv 1 0 0\nv 0 0 1\nv 0 0 1\nf 2 3 4 5\n")},
+      ErrorKind::kGeometry, "face 1 has fewer than 4 places");
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "tests/io/mesh/sample_mesh.hpp"
 #include "tests/io/mesh/tag_measures.hpp"
 #include "tests/io/mesh/temporary_folder.hpp"
+#include "tests/pipeline/improve/improve_checks.hpp"
 
 namespace quarry {
 namespace {
@@ -51,14 +52,7 @@ INSTANTIATE_TEST_SUITE_P(Formats, Improve, testing::Values(".vtu", ".msh", ".obj
 class ImproveJob : public testing::Test {
  protected:
   void expect_error(const std::string& path, ErrorKind kind, const std::string& message) const {
-    try {
-      static_cast<void>(improve_mesh({.input = path}, {}));
-      FAIL() << "no error";
-    } catch (const Error& error) {
-      EXPECT_EQ(error.kind(), kind) << error.message();
-      EXPECT_NE(error.message().find(message), std::string::npos) << error.message();
-      EXPECT_EQ(error.message().find(path), 0U) << error.message();
-    }
+    expect_improve_error({.input = path}, kind, message);
   }
   TemporaryFolder folder_;
 };
@@ -66,17 +60,7 @@ class ImproveJob : public testing::Test {
 TEST_F(ImproveJob, IsTheSameOnAnyNumberOfThreads) {
   const std::string path = folder_.file("in.vtu");
   write_mesh(path, make_sample_mesh({.size = 120, .disorder = 0.7}), {});
-  const auto bytes = [&] {
-    write_mesh(folder_.file("out.vtu"), improve_mesh({.input = path}, {}).mesh, {});
-    return file_content(folder_.file("out.vtu"));
-  };
-  std::string one;
-  parallel::with_threads(1, [&] { one = bytes(); });
-  for (const int threads : {2, 4, 7}) {
-    const parallel::ParticipationProbe probe(3);
-    parallel::with_threads(threads, [&] { EXPECT_TRUE(bytes() == one) << threads << " threads"; });
-    EXPECT_GT(probe.chunks_of_other_threads(), 0U) << threads << " threads";
-  }
+  expect_same_bytes_on_threads(folder_, path);
 }
 
 TEST_F(ImproveJob, TurnsAClockwiseMeshAndSaysSo) {
