@@ -10,6 +10,7 @@
 #include "io/mesh/extra_groups.hpp"
 #include "io/mesh/group_name.hpp"
 #include "io/mesh/msh_format.hpp"
+#include "io/mesh/msh_repeats.hpp"
 #include "io/mesh/number_index.hpp"
 #include "io/mesh/read_cells.hpp"
 #include "io/text_cursor.hpp"
@@ -279,8 +280,41 @@ class MshReader {
     }
     const int dimension = dimension_of(type);
     if (dimension == 0 && group == 0) return read_cell(type, {});
-    const std::int32_t number = dimension == 1 && group == 0 ? -1 : number_of_group(dimension, group);
+    if (dimension == 1) line_groups_.push_back(group);
+    const std::int32_t number = dimension == 1 ? -1 : number_of_group(dimension, group);
     read_cell(type, {&number, 1});
+  }
+
+  [[nodiscard]] LineGroup kind_of(std::int64_t group) const {
+    const std::string_view name = name_of(1, group);
+    if (group == 0 || name == kOuterBoundaryName) return LineGroup::kNone;
+    if (name.starts_with("line_")) return LineGroup::kLine;
+    return is_extra_line_group(name) ? LineGroup::kExtra : LineGroup::kOther;
+  }
+
+  // Elements of several groups, which an old file has once for each, become one as in a new file. Lines get
+  // their numbers here: groups that are left out take none.
+  void join_repeats() {
+    std::vector<LineGroup> kinds;
+    for (const std::int64_t group : line_groups_) kinds.push_back(kind_of(group));
+    const std::vector<std::uint8_t> needless = find_needless_edges(cells_.edges, kinds);
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < needless.size(); ++i) {
+      if (needless[i] != 0) continue;
+      cells_.edges[kept] = cells_.edges[i];
+      cells_.constraints[kept++] = line_groups_[i] == 0 ? -1 : number_of_group(1, line_groups_[i]);
+    }
+    cells_.edges.resize(kept);
+    cells_.constraints.resize(kept);
+    const std::vector<std::uint8_t> repeated = find_repeated_faces(cells_.faces, cells_.regions);
+    kept = 0;
+    for (std::size_t f = 0; f < repeated.size(); ++f) {
+      if (repeated[f] != 0) continue;
+      cells_.faces[kept] = cells_.faces[f];
+      cells_.regions[kept++] = cells_.regions[f];
+    }
+    cells_.faces.resize(kept);
+    cells_.regions.resize(kept);
   }
 
   void read_old_elements() {
@@ -298,6 +332,7 @@ class MshReader {
       }
       left -= together;
     }
+    join_repeats();
   }
 
   std::string path_;
@@ -310,6 +345,7 @@ class MshReader {
   std::map<GroupKey, std::string> names_;
   std::map<GroupKey, std::vector<std::int64_t>> groups_of_entity_;
   NumberIndex point_of_tag_;
+  std::vector<std::int64_t> line_groups_;  // of an old file, by line element
   GroupNumbers regions_ = region_numbers();
   GroupNumbers lines_ = line_numbers();
   GroupNumbers points_ = point_numbers();

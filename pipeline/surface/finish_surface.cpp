@@ -37,9 +37,7 @@ bool lies_upside_down(const Mesh& mesh, const SurfaceModel& model, FaceId f, dou
   for (int k = 0; k < count; ++k) middle = middle + (1.0 / count) * corner(k);
   double size = 0;
   for (int k = 0; k < count; ++k) size = std::max(size, length(corner(k) - middle));
-  const Vec3 normal = count == 4 ? cross(corner(2) - corner(0), corner(3) - corner(1))
-                                 : cross(corner(1) - corner(0), corner(2) - corner(0));
-  return !model.faces_along(middle, normal, kSlack * size, reach);
+  return !model.faces_along(middle, area_vector(mesh, f), kSlack * size, reach);
 }
 
 // The constrained edges by the places of their ends: where sheets meet several of them lie in one place, and

@@ -132,6 +132,37 @@ TEST(MshReader, ReadsALineOnceForEachOfItsGroups) {
 }
 
 // Found by fuzzing.
+// Gmsh saves an element in the old format once for each of its groups.
+TEST(MshReader, JoinsTheElementsOfSeveralGroupsInTheOldFormat) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file(
+      "a.msh",
+      "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n7\n1 1 \"outer_boundary\"\n1 2 \"line_4\"\n"
+      "1 3 \"set_joints\"\n1 4 \"set_faults\"\n2 5 \"region_1\"\n2 6 \"ore\"\n1 7 \"line_6\"\n"
+      "$EndPhysicalNames\n$Nodes\n6\n1 0 0 0\n2 1 0 0\n3 2 0 0\n4 0 1 0\n5 1 1 0\n6 2 1 0\n$EndNodes\n"
+      "$Elements\n10\n1 1 2 1 1 1 2\n2 1 2 2 1 1 2\n3 1 2 3 1 1 2\n4 1 2 7 1 1 2\n5 1 2 4 2 2 3\n6 1 2 1 3 4 "
+      "1\n"
+      "7 3 2 5 1 1 2 5 4\n8 3 2 5 1 2 3 6 5\n9 3 2 6 1 1 2 5 4\n10 3 2 6 1 2 3 6 5\n$EndElements\n");
+  const ReadCells cells = read_cells(path);
+  EXPECT_EQ(cells.faces.size(), 2U);
+  EXPECT_EQ(cells.regions, (std::vector<std::int32_t>{1, 1}));
+  ASSERT_EQ(cells.edges.size(), 4U);
+  EXPECT_EQ(cells.constraints[0], 4);
+  EXPECT_EQ(cells.constraints[1], 6);
+  EXPECT_EQ(cells.names.lines.at(cells.constraints[2]), "set_faults") << "no line beside it";
+  EXPECT_EQ(cells.constraints[3], -1);
+}
+
+TEST(MshReader, RefusesAFaceThatIsThereTwiceInOneRegion) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file(
+      "a.msh",
+      "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n$EndNodes\n$Elements\n2\n"
+      "1 2 2 1 1 1 2 3\n2 2 2 1 1 1 2 3\n$EndElements\n");
+  EXPECT_EQ(read_cells(path).faces.size(), 2U);
+  EXPECT_THROW(static_cast<void>(read_mesh(path)), Error);
+}
+
 TEST(MshReader, RefusesElementsOfAnotherDimensionThanTheirEntity) {
   const TemporaryFolder folder;
   std::string text = kNewMesh;
