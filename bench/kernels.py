@@ -117,7 +117,7 @@ def of_cleanup(programs):
     for threads in programs.threads:
         row = json.loads(programs.printed("cleanup", "disk", quads, "full", 1, 1, threads)[-1])
         given = row["before"]["quads"]
-        for part in ("operators", "patches", "smoothing"):
+        for part in ("operators", "patches", "chords", "smoothing"):
             yield f"clean-up, {part}", f"{given:,} (disk)", "quads", threads, given / row["times"][part]
 
 

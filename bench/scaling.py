@@ -15,7 +15,7 @@ from jobs import digest, load_json, machine_text, run, say, source_commit
 from networks import SHAPES
 
 CLEAN_UP = "of_cleanup"
-STEPS = ("operators", "patches", "smoothing")  # of clean-up
+STEPS = ("operators", "patches", "chords", "smoothing")  # of clean-up
 
 
 def measure(arguments, folder):

@@ -76,6 +76,7 @@ class CleanUp {
         patches.most_growth = 0.3;
         patches.most_shrinkage = 0.5;
       }
+      patches.most_mean_loss = 1;
       patches.fewest_faces_of_large = patches.fewest_faces;
       patches.most_faces_of_large = patches.most_faces;
     }
@@ -86,7 +87,9 @@ class CleanUp {
       if (!fewest && patches.largest > options_.thorough) patches.directions = 0;
       remesh_class(patches, memory);
       if (!fewest && hopeless(report_.patches.back())) break;
+      if (i == 0) collapse_chords(patches, memory);
     }
+    collapse_chords(patches, memory);
     remesh_over_lines(patches);
     mesh_.remove_tag<FaceId>(kSignatureTag);
   }
@@ -113,6 +116,33 @@ class CleanUp {
       close();
     });
     add_time(report_.smoothing_seconds, [&] { smooth_between(); });
+  }
+
+  // Where a chord went nothing is as the memory knows it.
+  void collapse_chords(const PatchOptions& patches, PatchMemory& memory) {
+    ChordOptions options = options_.chords;
+    options.wanted_faces = patches.wanted_faces;
+    options.most_shrinkage = patches.most_shrinkage;
+    options.least_jacobian = patches.least_jacobian;
+    options.largest_edge_ratio = patches.largest_edge_ratio;
+    options.price = patches.price;
+    add_time(report_.chord_seconds, [&] {
+      report_.chords.push_back(quarry::collapse_chords(
+          mesh_, options, [&] { return find_charges(); }, progress_));
+      if (report_.chords.back().won == 0) return;
+      mesh_.remove_tag<FaceId>(kSignatureTag);
+      memory = PatchMemory();
+      compact(mesh_, EntityOrder::kHilbert);
+    });
+    if (report_.chords.back().won > 0) add_time(report_.smoothing_seconds, [&] { smooth_between(); });
+  }
+
+  SectorCharges find_charges() {
+    open();
+    SectorCharges charges(mesh_);
+    sew(mesh_, ConstraintTags::of(mesh_));
+    mesh_.remove_tag<VertexId>(kIdealTag);
+    return charges;
   }
 
   // Whether larger patches are not worth their time; of few seeds nothing can be said.

@@ -1,7 +1,9 @@
 // Topological clean-up of a planar quad mesh with constraints: local operators, then one-defect patches from
 // small to large, inside the cells and then over lines, with sweeps of smoothing over the whole mesh in
 // between, which keep large patches acceptable, and the local operators again: vertices of six edges on the
-// rims of patches are split. The steps have headers of their own; this is their order and their defaults.
+// rims of patches are split. Chords collapse after the smallest patches, when vertices of opposite charge are
+// still near to each other, and after the largest. The steps have headers of their own; this is their order
+// and their defaults.
 //   C. Verma, T. Tautges: Jaal: engineering a high quality all-quadrilateral mesh generator. IMR 20, 2011.
 //   G. Bunin: Non-local topological clean-up. IMR 15, 2006.
 #pragma once
@@ -13,6 +15,8 @@
 
 #include "engine/base/progress.hpp"
 #include "engine/mesh/constraint.hpp"
+#include "kernels/cleanup/chord_collapse.hpp"
+#include "kernels/cleanup/chord_report.hpp"
 #include "kernels/cleanup/local.hpp"
 #include "kernels/cleanup/patch_options.hpp"
 #include "kernels/cleanup/patch_report.hpp"
@@ -51,6 +55,7 @@ struct CleanUpOptions {
   // Then patches of so many faces that lines cross, whose numbers of edges they may change; kFewest tries
   // larger ones, too. 0: none.
   std::size_t over_lines = 128;
+  ChordOptions chords;
   // Sweeps over the whole mesh at the start and after each size class. Only what is far from good is moved:
   // more sweeps, or moving all, leave as many irregular vertices.
   ShapeOptions between{.sweeps = 1, .content = 0.6, .content_areas = 2, .tolerance = 0.02};
@@ -65,10 +70,11 @@ struct CleanUpOptions {
 struct CleanUpReport {
   LocalCleanupReport local;
   std::vector<PatchReport> patches;  // one a size class, at last those over lines
+  std::vector<ChordReport> chords;   // between classes, and after the last inside the cells
   LocalCleanupReport local_at_end;   // after the patches
   SweepReport between;               // all classes together
   SweepReport shape, square_corners, optimise;
-  double local_seconds = 0, patch_seconds = 0, smoothing_seconds = 0;
+  double local_seconds = 0, patch_seconds = 0, chord_seconds = 0, smoothing_seconds = 0;
 };
 
 // Every piece remains a chain of constrained sides between its nodes, along which vertices slide and whose

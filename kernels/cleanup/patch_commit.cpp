@@ -80,6 +80,7 @@ void PatchCommit<Model>::apply(MeshEditor& editor, Item item, const Plan& /*plan
   const double before = smallest_before(editor, proposal);
   const double ratio =
       std::max(options_->largest_edge_ratio, largest_edge_ratio(editor.mesh(), proposal.faces));
+  const double least_mean = mean_quality(editor.mesh(), proposal.faces) - options_->most_mean_loss;
   const double longest = longest_allowed(editor.mesh(), proposal.faces);
   const double energy = energy_of(editor.mesh(), proposal.inner) + energy_of(editor.mesh(), proposal.rim);
   save(editor, proposal, *worker);
@@ -90,7 +91,8 @@ void PatchCommit<Model>::apply(MeshEditor& editor, Item item, const Plan& /*plan
     tag_traces(editor, tags_, worker->layout, proposal.lines, made, worker->line_sides);
   const double wanted = std::min(options_->least_jacobian, before);
   const double after = smallest_after(editor, made, wanted, ratio, *worker);
-  const bool good = after > 0 && after >= wanted && largest_edge_ratio(editor.mesh(), made) <= ratio &&
+  const bool good = after > 0 && after >= wanted && mean_quality(editor.mesh(), made) >= least_mean &&
+                    largest_edge_ratio(editor.mesh(), made) <= ratio &&
                     (options_->longest_edge == 0 || longest_edge(editor.mesh(), made) <= longest);
   if (good)
     for (const VertexId v : worker->vertices) stars_->update(editor.mesh(), v);
@@ -262,6 +264,13 @@ double PatchCommit<Model>::smallest_after(MeshEditor& editor, std::span<const Fa
     spent += more;
   }
   return std::min(smallest, smoothed);
+}
+
+template <GeometryModel Model>
+double PatchCommit<Model>::mean_quality(const Mesh& mesh, std::span<const FaceId> faces) const {
+  double sum = 0;
+  for (const FaceId f : faces) sum += signed_scaled_jacobian(mesh, *model_, f);
+  return sum / static_cast<double>(faces.size());
 }
 
 template <GeometryModel Model>

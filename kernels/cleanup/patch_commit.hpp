@@ -51,6 +51,7 @@ class PatchCommit {
   // Not positive, too, where no sweeps would help. ratio: as unequal as edges may be.
   [[nodiscard]] double smallest_after(MeshEditor& editor, std::span<const FaceId> made, double wanted,
                                       double ratio, Worker& worker) const;
+  [[nodiscard]] double mean_quality(const Mesh& mesh, std::span<const FaceId> faces) const;
   [[nodiscard]] double largest_edge_ratio(const Mesh& mesh, std::span<const FaceId> faces) const;
   [[nodiscard]] double longest_edge(const Mesh& mesh, std::span<const FaceId> faces) const;
   // How long edges may become in the place of these faces, by the options.

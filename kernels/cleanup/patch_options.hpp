@@ -28,6 +28,9 @@ struct PatchOptions {
   // A fill is kept if its smallest scaled Jacobian, with the ring around it and after smoothing, is at least
   // the smaller of this and what it was.
   double least_jacobian = 0.3;
+  // And if their mean over its faces is by no more than this below what it was: fills of sheared rows are
+  // valid, and look it.
+  double most_mean_loss = 0.15;
   // Nor may the longest edge of one of its faces by the shortest be more than this, or than it was before.
   double largest_edge_ratio = 6;
   // Nor may an edge be longer than so many times the root of the mean area of the faces before, or than there

@@ -17,6 +17,9 @@ constexpr std::array<const char*, kPatchRejects> kRejectNames = {
     "no_disk",       "few_sides",       "many_sides", "no_solution_3", "no_solution_4", "no_solution_5",
     "no_solution_6", "number_of_faces", "no_gain",    "lines",         "double_edge",   "quality"};
 
+constexpr std::array<const char*, kChordRejects> kChordRejectNames = {
+    "lines", "not_whole", "no_gain", "overlap", "number_of_faces", "quality"};
+
 // What local operators do once more after the patches.
 constexpr const char* kAtEnd = " at the end";
 
@@ -56,6 +59,19 @@ Json patches_json(const PatchReport& report) {
           {"rejected", named(kRejectNames, report.rejected)}};
 }
 
+Json chords_json(const ChordReport& report) {
+  return {{"chords", report.chords},
+          {"collapsible", report.collapsible},
+          {"looked_at", report.sets},
+          {"rounds", report.rounds},
+          {"tried", report.tried},
+          {"won", report.won},
+          {"faces", report.faces},
+          {"energy", report.gained},
+          {"rejected", named(kChordRejectNames, report.rejected)},
+          {"seconds", report.seconds}};
+}
+
 Json operators_json(const LocalCleanupReport& report) {
   Json operators = Json::array();
   for (const LocalOperatorReport& each : report.operators) operators.push_back(operator_json(each));
@@ -75,6 +91,10 @@ std::vector<PassReport> passes_of(const CleanUpReport& report) {
     passes.push_back(each.commits);
     passes.back().name = class_name(each);
   }
+  for (std::size_t i = 0; i < report.chords.size(); ++i) {
+    passes.push_back(report.chords[i].commits);
+    passes.back().name = "chords " + std::to_string(i + 1);
+  }
   for (const LocalOperatorReport& each : report.local_at_end.operators) {
     passes.push_back(each.pass);
     passes.back().name += kAtEnd;
@@ -85,16 +105,20 @@ std::vector<PassReport> passes_of(const CleanUpReport& report) {
 Json clean_up_json(const CleanUpReport& report) {
   Json classes = Json::array();
   for (const PatchReport& each : report.patches) classes.push_back(patches_json(each));
+  Json chords = Json::array();
+  for (const ChordReport& each : report.chords) chords.push_back(chords_json(each));
   return {{"irregular_before", report.local.irregular_before},
           {"irregular_after_operators", report.local.irregular_after},
           {"operators", operators_json(report.local)},
           {"patches", std::move(classes)},
+          {"chords", std::move(chords)},
           {"operators_at_end", operators_json(report.local_at_end)}};
 }
 
 Json clean_up_times_json(const CleanUpReport& report) {
   Json object = {{"operators", report.local_seconds},
                  {"patches", report.patch_seconds},
+                 {"chords", report.chord_seconds},
                  {"smoothing", report.smoothing_seconds}};
   for (const LocalOperatorReport& each : report.local.operators) object[each.pass.name] = each.seconds;
   for (const PatchReport& each : report.patches) {

@@ -18,6 +18,7 @@
 #include "kernels/cleanup/node_slots.hpp"
 #include "kernels/cleanup/patch_placement.hpp"
 #include "kernels/cleanup/patch_remesh.hpp"
+#include "tests/kernels/cleanup/line_measures.hpp"
 #include "tests/kernels/cleanup/patch_meshes.hpp"
 #include "tests/support/charge.hpp"
 #include "tests/support/mesh_arrays.hpp"
@@ -37,15 +38,6 @@ test::SyntheticMesh cut_lines(std::uint64_t seed, int crooked = 0) {
                             .origin = {0, 0}});
 }
 
-// The valence energy of the mesh cut open, sector by sector.
-int energy_by_sectors(Mesh& mesh) {
-  cut_open(mesh, ConstraintTags::of(mesh));
-  set_ideal_faces(mesh, PlaneModel());
-  const int energy = test::energy_of(mesh);
-  sew(mesh, ConstraintTags::of(mesh));
-  return energy;
-}
-
 // Of a whole mesh, which is cut open afterwards; with_nodes: they go along where they may.
 PatchReport remesh_over_lines(Mesh& mesh, const NodedLines& lines, std::size_t largest,
                               bool with_nodes = true) {
@@ -63,31 +55,6 @@ PatchReport remesh_over_lines(Mesh& mesh, const NodedLines& lines, std::size_t l
   return remesh_patches(mesh, PlaneModel(), options, memory, Progress());
 }
 
-// The length of the constrained edges on each piece; the edges must lie on it.
-std::map<std::uint32_t, double> covered(const Mesh& mesh, const ConstraintTags& tags,
-                                        const NodedLines& lines) {
-  const PieceFinder pieces(lines);
-  std::map<std::uint32_t, double> length_on;
-  for (const FaceId f : mesh.faces()) {
-    for (int k = 0; mesh.alive(f) && k < mesh.corner_count(f); ++k) {
-      const SideId s(f, k);
-      const SideId across = mesh.neighbour(s);
-      EXPECT_TRUE(!across.valid() || tags.constrained(s) == tags.constrained(across));
-      if (!tags.constrained(s) || (across.valid() && across < s)) continue;
-      const VertexId a = mesh.origin(s), b = mesh.target(s);
-      const PieceId piece = pieces.under_edge(tags.support[a], tags.support[b]);
-      length_on[piece.value()] += length(mesh.point(b) - mesh.point(a));
-    }
-  }
-  return length_on;
-}
-
-void expect_covered(const std::map<std::uint32_t, double>& now,
-                    const std::map<std::uint32_t, double>& before) {
-  ASSERT_EQ(now.size(), before.size());
-  for (const auto& [piece, all] : before) EXPECT_NEAR(now.at(piece), all, 1e-9 * all) << "piece " << piece;
-}
-
 TEST(PatchesOverLines, KeepEveryLineCoveredAndLowerTheEnergy) {
   std::uint64_t won = 0;
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
@@ -95,20 +62,20 @@ TEST(PatchesOverLines, KeepEveryLineCoveredAndLowerTheEnergy) {
     test::SyntheticMesh given = cut_lines(seed, seed % 2 == 0 ? 3 : 0);
     Mesh& mesh = given.mesh;
     sew(mesh, given.tags);
-    const auto before = covered(mesh, given.tags, given.lines);
+    const auto before = test::covered(mesh, given.tags, given.lines);
     for (const std::size_t largest : {std::size_t{32}, std::size_t{128}}) {
-      const int energy = energy_by_sectors(mesh);
+      const int energy = test::energy_by_sectors(mesh);
       const int charge = test::charge_of(mesh);
       const PatchReport report = remesh_over_lines(mesh, given.lines, largest);
       EXPECT_EQ(validate(mesh, GeometryCheck::kPlanarCorners), "");
       sew(mesh, given.tags);
       EXPECT_EQ(validate(mesh, GeometryCheck::kPlanarCorners), "");
       EXPECT_EQ(test::charge_of(mesh), charge);
-      const int now = energy_by_sectors(mesh);
+      const int now = test::energy_by_sectors(mesh);
       EXPECT_TRUE(report.count_won() > 0 ? now < energy : now == energy) << energy << " and " << now;
       won += report.count_won();
     }
-    expect_covered(covered(mesh, given.tags, given.lines), before);
+    test::expect_covered(test::covered(mesh, given.tags, given.lines), before);
   }
   EXPECT_GT(won, 12U);
 }
@@ -188,12 +155,12 @@ TEST(PatchesOverLines, GiveALineTheEdgesThatBothSidesAskFor) {
     tags.set_constrained(mesh.neighbour(s), true);
     if (i > 0) tags.support[VertexId(i)] = Support::on(PieceId(0U));
   }
-  ASSERT_EQ(energy_by_sectors(mesh), 4);
+  ASSERT_EQ(test::energy_by_sectors(mesh), 4);
   const PatchReport report = remesh_over_lines(mesh, NodedLines(), 128);
   sew(mesh, tags);
   EXPECT_EQ(report.count_won(), 1U);
   EXPECT_EQ(validate(mesh, GeometryCheck::kPlanarCorners), "");
-  EXPECT_EQ(energy_by_sectors(mesh), 0);
+  EXPECT_EQ(test::energy_by_sectors(mesh), 0);
   std::size_t on_line = 0;
   for (const VertexId v : mesh.vertices()) {
     if (!mesh.alive(v) || !tags.support[v].slides()) continue;
@@ -267,16 +234,16 @@ TEST(PatchesOverLines, TakeNodesAlong) {
     EXPECT_EQ(remesh_over_lines(stays.mesh, stays.lines, 256, false).count_won(), 0U);
     CrossedHalves given(up, down);
     Mesh& mesh = given.mesh;
-    ASSERT_EQ(energy_by_sectors(mesh), 4);
+    ASSERT_EQ(test::energy_by_sectors(mesh), 4);
     const Vec2 place = mesh.point(given.node);
-    const auto before = covered(mesh, given.tags, given.lines);
+    const auto before = test::covered(mesh, given.tags, given.lines);
     const PatchReport report = remesh_over_lines(mesh, given.lines, 256);
     sew(mesh, given.tags);
     EXPECT_EQ(report.count_won(), 1U);
     EXPECT_EQ(validate(mesh, GeometryCheck::kPlanarCorners), "");
-    EXPECT_EQ(energy_by_sectors(mesh), 0);
+    EXPECT_EQ(test::energy_by_sectors(mesh), 0);
     EXPECT_EQ(mesh.point(given.node), place);
-    expect_covered(covered(mesh, given.tags, given.lines), before);
+    test::expect_covered(test::covered(mesh, given.tags, given.lines), before);
   }
 }
 

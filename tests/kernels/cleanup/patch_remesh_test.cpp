@@ -148,6 +148,19 @@ TEST(RemeshPatches, KeepsTheSmallestScaledJacobianAboveTheFloor) {
     }
 }
 
+TEST(RemeshPatches, RefusesFillsWhoseMeanFallsByMoreThanMay) {
+  const auto won = [](double most_mean_loss) {
+    Mesh mesh = test::disk_of_quads(1500, 9);
+    PatchOptions options = options_of(64);
+    options.most_mean_loss = most_mean_loss;
+    PatchMemory memory;
+    return remesh_patches(mesh, PlaneModel(), options, memory, Progress()).count_won();
+  };
+  EXPECT_EQ(won(-1), 0U) << "none can be better by one";
+  EXPECT_GT(won(1), 10U);
+  EXPECT_LE(won(0), won(1));
+}
+
 TEST(RemeshPatches, KeepsToTheGivenGrowth) {
   Mesh mesh = test::disk_of_quads(1500, 11);
   const auto faces = static_cast<double>(mesh.count_alive_faces());

@@ -38,12 +38,25 @@ PatchReport patch_report(std::uint64_t largest, bool over_lines) {
   return report;
 }
 
+ChordReport chord_report() {
+  ChordReport report;
+  report.chords = 40;
+  report.collapsible = 30;
+  report.tried = 5;
+  report.won = 4;
+  report.gained = 8;
+  report.commits = {"", 2, 6, 5, 5};
+  for (std::size_t i = 0; i < kChordRejects; ++i) report.rejected[i] = 200 + i;
+  return report;
+}
+
 CleanUpReport clean_up_report() {
   CleanUpReport report;
   report.local.operators.push_back(operator_report());
   report.local.irregular_before = 900;
   report.local.irregular_after = 300;
   report.patches = {patch_report(32, false), patch_report(128, true)};
+  report.chords = {chord_report(), chord_report()};
   report.local_at_end.operators.push_back(operator_report());
   report.local_at_end.operators.back().won = 2;
   return report;
@@ -81,6 +94,24 @@ TEST(CleanUpJson, SaysOfEachSizeClassWhatWasTriedWonAndRejected) {
   EXPECT_EQ(patches["rejected"]["quality"], reason(PatchReject::kQuality));
 }
 
+TEST(CleanUpJson, SaysOfChordsWhatWasTriedWonAndRejected) {
+  const Json json = clean_up_json(clean_up_report());
+  ASSERT_EQ(json["chords"].size(), 2U);
+  const Json& chords = json["chords"][0];
+  EXPECT_EQ(chords["chords"], 40);
+  EXPECT_EQ(chords["collapsible"], 30);
+  EXPECT_EQ(chords["tried"], 5);
+  EXPECT_EQ(chords["won"], 4);
+  EXPECT_EQ(chords["energy"], 8);
+  const auto reason = [](ChordReject reject) { return 200 + static_cast<int>(reject); };
+  EXPECT_EQ(chords["rejected"]["lines"], reason(ChordReject::kLines));
+  EXPECT_EQ(chords["rejected"]["not_whole"], reason(ChordReject::kNotWhole));
+  EXPECT_EQ(chords["rejected"]["no_gain"], reason(ChordReject::kNoGain));
+  EXPECT_EQ(chords["rejected"]["overlap"], reason(ChordReject::kOverlap));
+  EXPECT_EQ(chords["rejected"]["number_of_faces"], reason(ChordReject::kFaceBand));
+  EXPECT_EQ(chords["rejected"]["quality"], reason(ChordReject::kQuality));
+}
+
 TEST(CleanUpJson, HasTheSecondsOfEachOperatorAndSizeClass) {
   const Json json = clean_up_times_json(clean_up_report());
   EXPECT_EQ(json["edge rotation"], 0.25);
@@ -91,12 +122,15 @@ TEST(CleanUpJson, HasTheSecondsOfEachOperatorAndSizeClass) {
 
 TEST(CleanUpJson, NamesThePassesApart) {
   const std::vector<PassReport> passes = passes_of(clean_up_report());
-  ASSERT_EQ(passes.size(), 4U);
+  ASSERT_EQ(passes.size(), 6U);
   EXPECT_EQ(passes[0].name, "edge rotation");
   EXPECT_EQ(passes[1].name, "patches of 32");
   EXPECT_EQ(passes[2].name, "patches of 128 over lines");
   EXPECT_EQ(passes[2].rounds, 7U);
-  EXPECT_EQ(passes[3].name, "edge rotation at the end");
+  EXPECT_EQ(passes[3].name, "chords 1");
+  EXPECT_EQ(passes[3].rounds, 2U);
+  EXPECT_EQ(passes[4].name, "chords 2");
+  EXPECT_EQ(passes[5].name, "edge rotation at the end");
 }
 
 }  // namespace

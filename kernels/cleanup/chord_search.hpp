@@ -1,0 +1,111 @@
+// Looks for chords whose collapse joins vertices of opposite charge. Reads only.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "engine/mesh/build.hpp"
+#include "engine/mesh/constraint.hpp"
+#include "engine/mesh/mesh.hpp"
+#include "kernels/cleanup/chord_charges.hpp"
+#include "kernels/cleanup/chord_report.hpp"
+#include "kernels/cleanup/chords.hpp"
+#include "kernels/cleanup/irregular_price.hpp"
+#include "kernels/local/stamped_map.hpp"
+#include "kernels/smooth/local_numbers.hpp"
+
+namespace quarry {
+
+// The chords between two vertices of opposite charge: up to three of them, ascending.
+struct ChordSet {
+  static constexpr std::size_t kMost = 3;
+  std::array<std::uint32_t, kMost> chords{Chords::kNone, Chords::kNone, Chords::kNone};
+
+  friend auto operator<=>(const ChordSet&, const ChordSet&) = default;
+};
+
+// All sets that collapse to join two such vertices, one or two faces apart and on the same side of all lines.
+// Each once, in ascending order; sets with chords that cannot collapse are left out.
+[[nodiscard]] std::vector<ChordSet> find_chord_sets(const Mesh& mesh, const ConstraintTags& tags,
+                                                    const Chords& chords, const SectorCharges& charges);
+
+// Names the faces that go. No collapse brings faces of new numbers, so that a set of the same name in another
+// round is the same.
+[[nodiscard]] std::uint64_t key_of(const ChordSet& set, const Chords& chords);
+
+// What a collapse does: faces on the chords go, those beside them get fresh corners, and the vertices of each
+// group become one.
+struct ChordProposal {
+  std::vector<FaceId> beside, crossed;  // faces
+  std::vector<FaceCorners> fresh;       // corners of the faces beside
+  std::vector<std::uint8_t> sides;      // their constrained sides
+  struct Group {
+    VertexId kept;
+    std::uint32_t begin, end;  // of members
+  };
+  std::vector<Group> groups;
+  std::vector<VertexId> members;
+  double gain = 0;        // by so much the valence energy falls
+  std::uint64_t key = 0;  // of the set
+};
+
+class ChordSearch {
+ public:
+  ChordSearch(const Mesh& mesh, const ConstraintTags& tags, const Chords& chords,
+              const SectorCharges& charges, const IrregularPrice& price)
+      : mesh_(&mesh), tags_(tags), chords_(&chords), charges_(&charges), price_(&price) {}
+
+  // The collapse of a set, if the mesh stays whole, each line remains, and the valence energy falls by at
+  // least this for each face that goes. Else sets the reason.
+  [[nodiscard]] std::optional<ChordProposal> find(const ChordSet& set, double least_gain,
+                                                  ChordReject& reason);
+
+ private:
+  struct Vertex {
+    VertexId vertex;
+    std::uint32_t group;                 // parent in the forest of vertices that become one
+    std::uint32_t line;                  // the same for those that become one along lines
+    std::uint32_t held = Chords::kNone;  // of a root: the line that its group lies on
+    VertexId kept;                       // of a root
+  };
+  struct Sector {
+    VertexId vertex;
+    std::uint32_t parent;
+    int charge;     // of a root: of all together
+    double energy;  // of a root: that of all before
+    int faces = 0;  // of a root: afterwards
+    bool inside = false;
+  };
+
+  void gather(const ChordSet& set);
+  void gather_sectors(const ChordSet& set);
+  [[nodiscard]] std::uint32_t number(VertexId v);
+  [[nodiscard]] SideId first_side(SideId s) const;
+  [[nodiscard]] std::uint32_t sector_of(SideId s);
+  void join_sectors(SideId a, SideId b);
+  [[nodiscard]] bool keeps_lines();
+  [[nodiscard]] bool gather_beside(ChordProposal& proposal);
+  [[nodiscard]] bool crossed(FaceId f) { return crossed_.find(stamped_key(f)) != nullptr; }
+  [[nodiscard]] bool write_fresh(FaceId f, ChordProposal& proposal);
+  [[nodiscard]] bool constrained_past(SideId s);
+  [[nodiscard]] double gain();
+  [[nodiscard]] double price_at(VertexId v) const { return *price_ ? (*price_)(mesh_->point3(v)) : 1; }
+  [[nodiscard]] VertexId kept(VertexId v);
+
+  const Mesh* mesh_;
+  ConstraintTags tags_;
+  const Chords* chords_;
+  const SectorCharges* charges_;
+  const IrregularPrice* price_;
+  StampedMap<char> crossed_, beside_, sides_;
+  std::vector<SideId> rungs_;
+  std::vector<FaceId> faces_;
+  LocalNumbers numbers_;
+  std::vector<Vertex> vertices_;
+  StampedMap<std::uint32_t> sector_numbers_;
+  std::vector<Sector> sectors_;
+};
+
+}  // namespace quarry
