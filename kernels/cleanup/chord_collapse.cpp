@@ -6,7 +6,6 @@
 #include <numeric>
 #include <optional>
 
-#include "engine/base/stopwatch.hpp"
 #include "engine/mesh/balance.hpp"
 #include "engine/parallel/parallel.hpp"
 #include "kernels/cleanup/chord_commit.hpp"
@@ -28,22 +27,30 @@ class ChordCollapse {
         balance_(mesh) {}
 
   ChordReport run(const Progress& progress) {
-    const Stopwatch watch;
     const std::size_t wanted = options_.wanted_faces > 0 ? options_.wanted_faces : faces_;
     fewest_ = (1 - options_.most_shrinkage) * static_cast<double>(wanted);
     for (int round = 0; round < options_.most_rounds; ++round) {
       progress.throw_if_cancelled();
       if (!run_round(progress)) break;
     }
-    report_.seconds = watch.seconds();
     return report_;
   }
 
  private:
+  struct Gain {
+    double energy = 0;
+    std::size_t faces = 0;
+    [[nodiscard]] double worth() const { return energy / static_cast<double>(faces); }
+  };
+
   // False if no chord went.
   bool run_round(const Progress& progress);
   void search(const Chords& chords, const SectorCharges& charges);
-  void choose(std::vector<std::optional<ChordProposal>>& found);
+  void choose(const Chords& chords, ChordSearch& search, const std::vector<ChordSet>& sets,
+              const std::vector<std::optional<Gain>>& gains);
+  [[nodiscard]] bool is_free(const Chords& chords, const ChordSet& set) const;
+  [[nodiscard]] bool take(const ChordProposal& proposal);
+  void count(const ChordCommit& operation);
 
   Mesh& mesh_;
   const ChordOptions& options_;
@@ -51,7 +58,10 @@ class ChordCollapse {
   std::size_t faces_;
   double fewest_ = 0;
   std::vector<ChordProposal> proposals_;
-  KeySet refused_;  // sets that cannot collapse, gain nothing or were judged not good enough
+  std::vector<Gain> gains_;          // of the proposals
+  std::vector<std::uint64_t> keys_;  // of the proposals
+  std::vector<std::uint8_t> taken_;  // by vertex: of a face of a proposal
+  KeySet refused_;                   // sets that cannot collapse, gain nothing or were judged not good enough
   ChordReport report_;
   BalanceGuard balance_;
 };
@@ -75,17 +85,7 @@ bool ChordCollapse::run_round(const Progress& progress) {
   report_.commits.add(run_pass(mesh_, operation, std::move(work), pass, progress));
   balance_.check("collapse of chords", mesh_, GeometryCheck::kNone);
   const std::uint64_t won_before = report_.won;
-  for (std::uint32_t i = 0; i < proposals_.size(); ++i) {
-    if (!operation.won(i)) {
-      report_.reject(ChordReject::kQuality);
-      refused_.insert(proposals_[i].key);
-      continue;
-    }
-    ++report_.won;
-    report_.faces += proposals_[i].crossed.size();
-    report_.gained += proposals_[i].gain;
-    faces_ -= proposals_[i].crossed.size();
-  }
+  count(operation);
   return report_.won > won_before;
 }
 
@@ -97,54 +97,100 @@ void ChordCollapse::search(const Chords& chords, const SectorCharges& charges) {
   ScratchPool<ChordSearch> searches(
       [&] { return std::make_unique<ChordSearch>(mesh_, tags, chords, charges, options_.price); });
   const double least_gain = options_.least_gain / std::sqrt(static_cast<double>(faces_));
-  std::vector<std::optional<ChordProposal>> found(sets.size());
+  std::vector<std::optional<Gain>> gains(sets.size());
   std::vector<ChordReject> reasons(sets.size());
   parallel::for_each_chunk(sets.size(), kSearchChunk, [&](std::size_t begin, std::size_t end) {
     const ScratchPool<ChordSearch>::Loan search(searches);
-    for (std::size_t i = begin; i < end; ++i) found[i] = search->find(sets[i], least_gain, reasons[i]);
+    for (std::size_t i = begin; i < end; ++i)
+      if (const auto gain = search->gain(sets[i], least_gain, reasons[i]))
+        gains[i] = {*gain, search->count_crossed()};
   });
   for (std::size_t i = 0; i < sets.size(); ++i) {
-    if (found[i]) continue;
+    if (gains[i]) continue;
     report_.reject(reasons[i]);
     refused_.insert(key_of(sets[i], chords));
   }
-  choose(found);
+  const ScratchPool<ChordSearch>::Loan search(searches);
+  choose(chords, *search, sets, gains);
 }
 
 // Those that gain most for their faces first, as far as they share no vertex.
-void ChordCollapse::choose(std::vector<std::optional<ChordProposal>>& found) {
+void ChordCollapse::choose(const Chords& chords, ChordSearch& search, const std::vector<ChordSet>& sets,
+                           const std::vector<std::optional<Gain>>& gains) {
   proposals_.clear();
+  gains_.clear();
+  keys_.clear();
+  taken_.assign(mesh_.vertex_slots(), 0);
   std::vector<std::uint32_t> order;
-  for (std::uint32_t i = 0; i < found.size(); ++i)
-    if (found[i]) order.push_back(i);
-  const auto worth = [&](std::uint32_t i) {
-    return found[i]->gain / static_cast<double>(found[i]->crossed.size());
-  };
+  for (std::uint32_t i = 0; i < sets.size(); ++i)
+    if (gains[i]) order.push_back(i);
   std::stable_sort(order.begin(), order.end(),
-                   [&](std::uint32_t a, std::uint32_t b) { return worth(a) > worth(b); });
-  std::vector<std::uint8_t> taken(mesh_.vertex_slots(), 0);
+                   [&](std::uint32_t a, std::uint32_t b) { return gains[a]->worth() > gains[b]->worth(); });
   double left = static_cast<double>(faces_);
   for (const std::uint32_t i : order) {
-    ChordProposal& proposal = *found[i];
-    const auto for_each_vertex = [&](const auto& visit) {
-      for (const auto* faces : {&proposal.beside, &proposal.crossed})
-        for (const FaceId f : *faces)
-          for (int k = 0; k < mesh_.corner_count(f); ++k) visit(mesh_.corner(f, k));
-    };
-    bool free = true;
-    for_each_vertex([&](VertexId v) { free = free && taken[v.value()] == 0; });
-    if (!free) {
+    const auto gone = static_cast<double>(gains[i]->faces);
+    if (!is_free(chords, sets[i])) {
       report_.reject(ChordReject::kOverlap);
       continue;
     }
-    if (left - static_cast<double>(proposal.crossed.size()) < fewest_) {
+    if (left - gone < fewest_) {
       report_.reject(ChordReject::kFaceBand);
       continue;
     }
-    left -= static_cast<double>(proposal.crossed.size());
-    for_each_vertex([&](VertexId v) { taken[v.value()] = 1; });
+    std::optional<ChordProposal> proposal = search.propose(sets[i]);
+    if (!proposal) {
+      report_.reject(ChordReject::kNotWhole);
+      refused_.insert(key_of(sets[i], chords));
+      continue;
+    }
+    if (!take(*proposal)) {
+      report_.reject(ChordReject::kOverlap);
+      continue;
+    }
+    left -= gone;
     ++report_.tried;
-    proposals_.push_back(std::move(proposal));
+    proposals_.push_back(std::move(*proposal));
+    gains_.push_back(*gains[i]);
+    keys_.push_back(key_of(sets[i], chords));
+  }
+}
+
+// Before the faces beside a set are gathered: most are given up here.
+bool ChordCollapse::is_free(const Chords& chords, const ChordSet& set) const {
+  bool free = true;
+  for (const std::uint32_t chord : set.chords) {
+    if (chord == Chords::kNone || !free) continue;
+    chords.for_each_face(chord, [&](SideId s) {
+      for (int k = 0; k < 4; ++k) free = free && taken_[mesh_.corner(s.face(), k).value()] == 0;
+    });
+  }
+  return free;
+}
+
+// False if a vertex of its faces is taken; else takes them all.
+bool ChordCollapse::take(const ChordProposal& proposal) {
+  const auto for_each_vertex = [&](const auto& visit) {
+    for (const auto* faces : {&proposal.beside, &proposal.crossed})
+      for (const FaceId f : *faces)
+        for (int k = 0; k < mesh_.corner_count(f); ++k) visit(mesh_.corner(f, k).value());
+  };
+  bool free = true;
+  for_each_vertex([&](std::uint32_t v) { free = free && taken_[v] == 0; });
+  if (free) for_each_vertex([&](std::uint32_t v) { taken_[v] = 1; });
+  return free;
+}
+
+void ChordCollapse::count(const ChordCommit& operation) {
+  for (std::uint32_t i = 0; i < proposals_.size(); ++i) {
+    if (!operation.won(i)) {
+      report_.reject(ChordReject::kQuality);
+      refused_.insert(keys_[i]);
+      continue;
+    }
+    ++report_.won;
+    report_.faces += gains_[i].faces;
+    report_.gained += gains_[i].energy;
+    faces_ -= gains_[i].faces;
   }
 }
 

@@ -20,10 +20,10 @@
 namespace quarry {
 
 struct ChordOptions {
-  // The valence energy that so many faces must bring as a square mesh is wide, the root of its number of
-  // them: what goes coarsens all along the chord.
+  // The least valence energy for each root of the number of faces of the mesh, which is about one row of it,
+  // that goes: the mesh becomes coarser all along a chord.
   double least_gain = 0.5;
-  // Rounds: chords that share faces go one after the other.
+  // Rounds: chords that share faces go one after the other. No more after one in which none went. 0: none.
   int most_rounds = 6;
   // The whole mesh: collapses that take its number of faces further than this share from `wanted_faces` (0:
   // those at the start) are left out.
@@ -32,8 +32,8 @@ struct ChordOptions {
   // As of patches, see PatchOptions.
   double least_jacobian = 0.3;
   double largest_edge_ratio = 6;
-  // Rows on either side of a chord that are smoothed with it.
-  int rows = 6;
+  // Rows on either side of the faces beside a chord that are smoothed with it.
+  int rows = 4;
   LocalShapeOptions smoothing{.untangling_sweeps = 6, .sweeps = 8, .area_averages = 8};
   IrregularPrice price;  // empty: all places cost the same
 };

@@ -38,7 +38,7 @@ bool ChordCommit::propose(const Mesh& mesh, Item item, Cavity& cavity, Plan& /*p
   return true;
 }
 
-// The vertices of the faces, then row by row those around, and one row more that smoothing reads.
+// The vertices of the faces, then row by row those around; those of the last row are read and not moved.
 void ChordCommit::gather(const Mesh& mesh, const ChordProposal& proposal, Worker& worker) const {
   worker.numbers.clear(4 * proposal.beside.size());
   worker.near.clear();

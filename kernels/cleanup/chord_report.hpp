@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include "engine/operation/pass.hpp"
@@ -13,7 +14,7 @@ enum class ChordReject : std::uint8_t {
   kLines,     // fixed vertices, or lines, would become one
   kNotWhole,  // a face or an edge would be lost beside them
   kNoGain,    // the valence energy would not fall, or by too little for their faces
-  kOverlap,   // they touch others that gain more, and were looked at anew
+  kOverlap,   // they touch others that gain more: looked at anew in the next round, if there is one
   kFaceBand,  // the mesh would have too few faces
   kQuality,   // judged after smoothing
 };
@@ -29,7 +30,6 @@ struct ChordReport {
   double gained = 0;        // valence energy
   std::array<std::uint64_t, kChordRejects> rejected{};
   PassReport commits;  // without a name
-  double seconds = 0;
 
   void reject(ChordReject reason) { ++rejected[static_cast<std::size_t>(reason)]; }
 };

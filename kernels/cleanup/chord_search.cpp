@@ -2,9 +2,6 @@
 
 #include <algorithm>
 
-#include "engine/base/random.hpp"
-#include "engine/parallel/parallel.hpp"
-
 namespace quarry {
 namespace {
 
@@ -19,98 +16,26 @@ std::uint32_t root_of(std::vector<Node>& nodes, std::uint32_t Node::*parent, std
   return i;
 }
 
-class SetFinder {
- public:
-  SetFinder(const Mesh& mesh, const ConstraintTags& tags, const Chords& chords, const SectorCharges& charges)
-      : mesh_(mesh), tags_(tags), chords_(chords), charges_(charges) {}
-
-  void look(FaceId f, std::vector<ChordSet>& found) const {
-    for (int k = 0; k < 4; ++k) {
-      const SideId s(f, k);
-      const SideId next(f, (k + 1) % 4);
-      if (opposite(s, next)) add({chords_.across(s)}, found);
-      if (opposite(s, SideId(f, (k + 2) % 4))) add({chords_.across(s), chords_.across(next)}, found);
-      const SideId t = mesh_.neighbour(s);
-      if (!t.valid() || tags_.constrained(s) || t < s || mesh_.corner_count(t.face()) != 4) continue;
-      look_across(s, t, found);
-    }
-  }
-
- private:
-  // Two faces side by side, and their corners away from the edge between them.
-  void look_across(SideId s, SideId t, std::vector<ChordSet>& found) const {
-    const SideId a = mesh_.previous(s);
-    const SideId b = Chords::opposite(s);
-    const SideId c = mesh_.previous(t);
-    const SideId d = Chords::opposite(t);
-    const std::uint32_t here = chords_.across(a);
-    const std::uint32_t there = chords_.across(c);
-    if (opposite(a, d) || opposite(b, c)) add({here, there}, found);
-    if (opposite(a, c) || opposite(b, d)) add({here, there, chords_.across(s)}, found);
-  }
-
-  [[nodiscard]] bool opposite(SideId a, SideId b) const { return charges_[a] * charges_[b] < 0; }
-
-  void add(std::initializer_list<std::uint32_t> chords, std::vector<ChordSet>& found) const {
-    ChordSet set;
-    std::copy(chords.begin(), chords.end(), set.chords.begin());
-    std::sort(set.chords.begin(), set.chords.end());
-    std::fill(std::unique(set.chords.begin(), set.chords.end()), set.chords.end(), Chords::kNone);
-    for (const std::uint32_t chord : set.chords)
-      if (chord != Chords::kNone && !chords_[chord].collapsible) return;
-    found.push_back(set);
-  }
-
-  const Mesh& mesh_;
-  const ConstraintTags& tags_;
-  const Chords& chords_;
-  const SectorCharges& charges_;
-};
-
 }  // namespace
 
-std::vector<ChordSet> find_chord_sets(const Mesh& mesh, const ConstraintTags& tags, const Chords& chords,
-                                      const SectorCharges& charges) {
-  const SetFinder finder(mesh, tags, chords, charges);
-  std::vector<ChordSet> sets = parallel::reduce_ordered(
-      mesh.face_slots(), std::vector<ChordSet>(),
-      [&](std::size_t begin, std::size_t end) {
-        std::vector<ChordSet> found;
-        for (std::size_t i = begin; i < end; ++i)
-          if (mesh.alive(FaceId(i)) && mesh.corner_count(FaceId(i)) == 4) finder.look(FaceId(i), found);
-        return found;
-      },
-      [](std::vector<ChordSet> all, const std::vector<ChordSet>& part) {
-        all.insert(all.end(), part.begin(), part.end());
-        return all;
-      });
-  std::sort(sets.begin(), sets.end());
-  sets.erase(std::unique(sets.begin(), sets.end()), sets.end());
-  return sets;
-}
-
-std::uint64_t key_of(const ChordSet& set, const Chords& chords) {
-  std::uint64_t key = 0;
-  for (const std::uint32_t chord : set.chords)
-    if (chord != Chords::kNone) key += mix64(chords[chord].signature);
-  return key;
-}
-
-std::optional<ChordProposal> ChordSearch::find(const ChordSet& set, double least_gain, ChordReject& reason) {
-  const auto reject = [&](ChordReject why) {
-    reason = why;
-    return std::nullopt;
-  };
+std::optional<double> ChordSearch::gain(const ChordSet& set, double least_gain, ChordReject& reason) {
   gather(set);
-  if (!keeps_lines()) return reject(ChordReject::kLines);
-  ChordProposal proposal;
+  reason = ChordReject::kLines;
+  if (!keeps_lines()) return std::nullopt;
   gather_sectors(set);
-  proposal.gain = gain();
-  if (!(proposal.gain > 0) || proposal.gain < least_gain * static_cast<double>(faces_.size()))
-    return reject(ChordReject::kNoGain);
-  if (!gather_beside(proposal)) return reject(ChordReject::kNotWhole);
+  const double gain = energy_fall();
+  reason = ChordReject::kNoGain;
+  if (!(gain > 0) || gain < least_gain * static_cast<double>(faces_.size())) return std::nullopt;
+  return gain;
+}
+
+std::optional<ChordProposal> ChordSearch::propose(const ChordSet& set) {
+  gather(set);
+  ChordProposal proposal;
+  if (!keeps_lines()) return std::nullopt;
+  gather_sectors(set);
+  if (!gather_beside(proposal)) return std::nullopt;
   proposal.crossed = faces_;
-  proposal.key = key_of(set, *chords_);
   return proposal;
 }
 
@@ -137,7 +62,7 @@ void ChordSearch::gather(const ChordSet& set) {
     const std::uint32_t a = number(mesh_->origin(s));
     const std::uint32_t b = number(mesh_->target(s));
     vertices_[root_of(vertices_, &Vertex::group, b)].group = root_of(vertices_, &Vertex::group, a);
-    if (tags_.constrained(s) || !mesh_->neighbour(s).valid())
+    if (tags_.constrained(s))
       vertices_[root_of(vertices_, &Vertex::line, b)].line = root_of(vertices_, &Vertex::line, a);
   }
 }
@@ -177,7 +102,7 @@ std::uint32_t ChordSearch::sector_of(SideId s) {
     const VertexId v = mesh_->origin(s);
     number = static_cast<std::uint32_t>(sectors_.size());
     const int charge = (*charges_)[s];
-    sectors_.push_back({v, number, charge, price_at(v) * charge * charge, 0, !is_held(*mesh_, tags_, v)});
+    sectors_.push_back({v, number, charge, energy_at(v, charge), 0, !is_held(*mesh_, tags_, v)});
   }
   return number;
 }
@@ -228,14 +153,14 @@ VertexId ChordSearch::kept(VertexId v) {
   return vertices_[root_of(vertices_, &Vertex::group, i)].kept;
 }
 
-double ChordSearch::gain() {
-  double gain = 0;
+double ChordSearch::energy_fall() {
+  double fall = 0;
   for (std::uint32_t i = 0; i < sectors_.size(); ++i) {
     const Sector& sector = sectors_[i];
     if (sector.parent != i) continue;
-    gain += sector.energy - price_at(kept(sector.vertex)) * sector.charge * sector.charge;
+    fall += sector.energy - energy_at(kept(sector.vertex), sector.charge);
   }
-  return gain;
+  return fall;
 }
 
 bool ChordSearch::gather_beside(ChordProposal& proposal) {

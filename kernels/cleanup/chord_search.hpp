@@ -1,7 +1,7 @@
-// Looks for chords whose collapse joins vertices of opposite charge. Reads only.
+// What the collapse of a set of chords gains, and what it makes of the faces beside it. Reads only.
 #pragma once
 
-#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -11,29 +11,13 @@
 #include "engine/mesh/mesh.hpp"
 #include "kernels/cleanup/chord_charges.hpp"
 #include "kernels/cleanup/chord_report.hpp"
+#include "kernels/cleanup/chord_sets.hpp"
 #include "kernels/cleanup/chords.hpp"
 #include "kernels/cleanup/irregular_price.hpp"
 #include "kernels/local/stamped_map.hpp"
 #include "kernels/smooth/local_numbers.hpp"
 
 namespace quarry {
-
-// The chords between two vertices of opposite charge: up to three of them, ascending.
-struct ChordSet {
-  static constexpr std::size_t kMost = 3;
-  std::array<std::uint32_t, kMost> chords{Chords::kNone, Chords::kNone, Chords::kNone};
-
-  friend auto operator<=>(const ChordSet&, const ChordSet&) = default;
-};
-
-// All sets that collapse to join two such vertices, one or two faces apart and on the same side of all lines.
-// Each once, in ascending order; sets with chords that cannot collapse are left out.
-[[nodiscard]] std::vector<ChordSet> find_chord_sets(const Mesh& mesh, const ConstraintTags& tags,
-                                                    const Chords& chords, const SectorCharges& charges);
-
-// Names the faces that go. No collapse brings faces of new numbers, so that a set of the same name in another
-// round is the same.
-[[nodiscard]] std::uint64_t key_of(const ChordSet& set, const Chords& chords);
 
 // What a collapse does: faces on the chords go, those beside them get fresh corners, and the vertices of each
 // group become one.
@@ -47,8 +31,6 @@ struct ChordProposal {
   };
   std::vector<Group> groups;
   std::vector<VertexId> members;
-  double gain = 0;        // by so much the valence energy falls
-  std::uint64_t key = 0;  // of the set
 };
 
 class ChordSearch {
@@ -57,10 +39,13 @@ class ChordSearch {
               const SectorCharges& charges, const IrregularPrice& price)
       : mesh_(&mesh), tags_(tags), chords_(&chords), charges_(&charges), price_(&price) {}
 
-  // The collapse of a set, if the mesh stays whole, each line remains, and the valence energy falls by at
-  // least this for each face that goes. Else sets the reason.
-  [[nodiscard]] std::optional<ChordProposal> find(const ChordSet& set, double least_gain,
-                                                  ChordReject& reason);
+  // By how much the valence energy falls where a set collapses, if each line remains and it is at least this
+  // for each face that goes. Else sets the reason.
+  [[nodiscard]] std::optional<double> gain(const ChordSet& set, double least_gain, ChordReject& reason);
+  // Faces of the set that was asked for last.
+  [[nodiscard]] std::size_t count_crossed() const { return faces_.size(); }
+  // The collapse of such a set; none if the mesh would not stay whole.
+  [[nodiscard]] std::optional<ChordProposal> propose(const ChordSet& set);
 
  private:
   struct Vertex {
@@ -90,8 +75,10 @@ class ChordSearch {
   [[nodiscard]] bool crossed(FaceId f) { return crossed_.find(stamped_key(f)) != nullptr; }
   [[nodiscard]] bool write_fresh(FaceId f, ChordProposal& proposal);
   [[nodiscard]] bool constrained_past(SideId s);
-  [[nodiscard]] double gain();
-  [[nodiscard]] double price_at(VertexId v) const { return *price_ ? (*price_)(mesh_->point3(v)) : 1; }
+  [[nodiscard]] double energy_fall();
+  [[nodiscard]] double energy_at(VertexId v, int charge) const {
+    return charge != 0 && *price_ ? (*price_)(mesh_->point3(v)) * charge * charge : charge * charge;
+  }
   [[nodiscard]] VertexId kept(VertexId v);
 
   const Mesh* mesh_;

@@ -19,24 +19,18 @@ Chords::Chords(const Mesh& mesh, const ConstraintTags& tags)
   for (const FaceId f : mesh.faces()) {
     if (!mesh.alive(f) || mesh.corner_count(f) != 4) continue;
     for (const int side : {0, 1}) {
-      if (across(SideId(f, side)) != kNone) continue;
-      follow(SideId(f, side));
-      Chord& chord = chords_.back();
-      for_each_face(count() - 1, [&](SideId s) {
-        chord.signature += mix64(s.face().value());
-        chord.collapsible =
-            chord.collapsible && may_vanish(mesh, tags, s) && may_vanish(mesh, tags, opposite(s));
-      });
+      if (across(SideId(f, side)) == kNone) follow(SideId(f, side), tags);
     }
   }
 }
 
 // Back to where the chord begins, then along it.
-void Chords::follow(SideId from) {
+void Chords::follow(SideId from, const ConstraintTags& tags) {
   Chord chord;
   chord.first = from;
   const auto is_quad = [&](SideId s) { return mesh_->corner_count(s.face()) == 4; };
-  while (true) {
+  bool closed = false;
+  while (!closed) {
     const SideId back = mesh_->neighbour(chord.first);
     if (!back.valid()) break;
     if (!is_quad(back)) {
@@ -44,12 +38,14 @@ void Chords::follow(SideId from) {
       break;
     }
     chord.first = opposite(back);
-    chord.closed = chord.first == from;
-    if (chord.closed) break;
+    closed = chord.first == from;
   }
   SideId s = chord.first;
   do {
     ++chord.faces;
+    chord.signature += mix64(s.face().value());
+    chord.collapsible =
+        chord.collapsible && may_vanish(*mesh_, tags, s) && may_vanish(*mesh_, tags, opposite(s));
     chord_of_[2 * s.face().value() + (s.value() & 1U)] = count();
     s = mesh_->neighbour(opposite(s));
     if (s.valid() && !is_quad(s)) {

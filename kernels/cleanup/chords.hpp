@@ -14,7 +14,6 @@ namespace quarry {
 struct Chord {
   SideId first;             // by which its first face is entered
   std::uint32_t faces = 0;  // one that it crosses twice counts twice
-  bool closed = false;
   // Whether each of its rungs, the sides that it crosses, may become a point: none joins two fixed vertices,
   // or two vertices of lines past these lines. No chord that ends at a triangle can.
   bool collapsible = true;
@@ -48,7 +47,7 @@ class Chords {
   [[nodiscard]] static SideId opposite(SideId s) { return SideId(s.value() ^ 2U); }
 
  private:
-  void follow(SideId from);
+  void follow(SideId from, const ConstraintTags& tags);
 
   const Mesh* mesh_;
   std::vector<Chord> chords_;

@@ -89,7 +89,6 @@ class CleanUp {
       if (!fewest && hopeless(report_.patches.back())) break;
       if (i == 0) collapse_chords(patches, memory);
     }
-    collapse_chords(patches, memory);
     remesh_over_lines(patches);
     mesh_.remove_tag<FaceId>(kSignatureTag);
   }
@@ -127,14 +126,14 @@ class CleanUp {
     options.largest_edge_ratio = patches.largest_edge_ratio;
     options.price = patches.price;
     add_time(report_.chord_seconds, [&] {
-      report_.chords.push_back(quarry::collapse_chords(
-          mesh_, options, [&] { return find_charges(); }, progress_));
-      if (report_.chords.back().won == 0) return;
+      report_.chords = quarry::collapse_chords(
+          mesh_, options, [&] { return find_charges(); }, progress_);
+      if (report_.chords.won == 0) return;
       mesh_.remove_tag<FaceId>(kSignatureTag);
       memory = PatchMemory();
       compact(mesh_, EntityOrder::kHilbert);
     });
-    if (report_.chords.back().won > 0) add_time(report_.smoothing_seconds, [&] { smooth_between(); });
+    if (report_.chords.won > 0) add_time(report_.smoothing_seconds, [&] { smooth_between(); });
   }
 
   SectorCharges find_charges() {

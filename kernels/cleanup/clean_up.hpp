@@ -2,8 +2,7 @@
 // small to large, inside the cells and then over lines, with sweeps of smoothing over the whole mesh in
 // between, which keep large patches acceptable, and the local operators again: vertices of six edges on the
 // rims of patches are split. Chords collapse after the smallest patches, when vertices of opposite charge are
-// still near to each other, and after the largest. The steps have headers of their own; this is their order
-// and their defaults.
+// still near to each other. The steps have headers of their own; this is their order and their defaults.
 //   C. Verma, T. Tautges: Jaal: engineering a high quality all-quadrilateral mesh generator. IMR 20, 2011.
 //   G. Bunin: Non-local topological clean-up. IMR 15, 2006.
 #pragma once
@@ -55,6 +54,7 @@ struct CleanUpOptions {
   // Then patches of so many faces that lines cross, whose numbers of edges they may change; kFewest tries
   // larger ones, too. 0: none.
   std::size_t over_lines = 128;
+  // What patches have as well, like the price, is theirs.
   ChordOptions chords;
   // Sweeps over the whole mesh at the start and after each size class. Only what is far from good is moved:
   // more sweeps, or moving all, leave as many irregular vertices.
@@ -70,7 +70,7 @@ struct CleanUpOptions {
 struct CleanUpReport {
   LocalCleanupReport local;
   std::vector<PatchReport> patches;  // one a size class, at last those over lines
-  std::vector<ChordReport> chords;   // between classes, and after the last inside the cells
+  ChordReport chords;                // after the first class
   LocalCleanupReport local_at_end;   // after the patches
   SweepReport between;               // all classes together
   SweepReport shape, square_corners, optimise;

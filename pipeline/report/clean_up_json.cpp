@@ -68,8 +68,7 @@ Json chords_json(const ChordReport& report) {
           {"won", report.won},
           {"faces", report.faces},
           {"energy", report.gained},
-          {"rejected", named(kChordRejectNames, report.rejected)},
-          {"seconds", report.seconds}};
+          {"rejected", named(kChordRejectNames, report.rejected)}};
 }
 
 Json operators_json(const LocalCleanupReport& report) {
@@ -90,10 +89,9 @@ std::vector<PassReport> passes_of(const CleanUpReport& report) {
   for (const PatchReport& each : report.patches) {
     passes.push_back(each.commits);
     passes.back().name = class_name(each);
-  }
-  for (std::size_t i = 0; i < report.chords.size(); ++i) {
-    passes.push_back(report.chords[i].commits);
-    passes.back().name = "chords " + std::to_string(i + 1);
+    if (passes.size() != report.local.operators.size() + 1 || report.chords.rounds == 0) continue;
+    passes.push_back(report.chords.commits);
+    passes.back().name = "chords";
   }
   for (const LocalOperatorReport& each : report.local_at_end.operators) {
     passes.push_back(each.pass);
@@ -105,13 +103,11 @@ std::vector<PassReport> passes_of(const CleanUpReport& report) {
 Json clean_up_json(const CleanUpReport& report) {
   Json classes = Json::array();
   for (const PatchReport& each : report.patches) classes.push_back(patches_json(each));
-  Json chords = Json::array();
-  for (const ChordReport& each : report.chords) chords.push_back(chords_json(each));
   return {{"irregular_before", report.local.irregular_before},
           {"irregular_after_operators", report.local.irregular_after},
           {"operators", operators_json(report.local)},
           {"patches", std::move(classes)},
-          {"chords", std::move(chords)},
+          {"chords", chords_json(report.chords)},
           {"operators_at_end", operators_json(report.local_at_end)}};
 }
 

@@ -142,7 +142,6 @@ TEST(Chords, CrossEachFaceTwiceAndEndOnTheBoundary) {
   EXPECT_EQ(chords.count(), 2 * Turn::kSide + 1);
   std::size_t faces = 0;
   for (std::uint32_t i = 0; i < chords.count(); ++i) {
-    EXPECT_FALSE(chords[i].closed);
     EXPECT_TRUE(chords[i].collapsible);
     EXPECT_FALSE(given.mesh.neighbour(chords[i].first).valid());
     std::size_t walked = 0;
@@ -174,22 +173,32 @@ TEST(Chords, CloseAroundAHole) {
   const Chords chords(mesh, tags);
   ASSERT_EQ(chords.count(), 7U);
   const Chord& around = chords[chords.across(mesh.find_side(VertexId(0U), VertexId(1U)))];
-  EXPECT_TRUE(around.closed);
   EXPECT_EQ(around.faces, 6U);
   EXPECT_FALSE(around.collapsible) << "both rims would become one";
 }
 
 TEST(Chords, ThatEndAtATriangleCannotCollapse) {
-  // Two quads beside each other, and a triangle to their right.
-  Mesh mesh = build_mesh({0, 1, 2, 0, 1, 2, 3}, {0, 0, 0, 1, 1, 1, 0.5},
-                         std::vector<FaceCorners>{{VertexId(0U), VertexId(1U), VertexId(4U), VertexId(3U)},
-                                                  {VertexId(1U), VertexId(2U), VertexId(5U), VertexId(4U)},
-                                                  {VertexId(2U), VertexId(6U), VertexId(5U), VertexId()}});
-  const Chords chords(mesh, ConstraintTags::add_to(mesh));
-  ASSERT_EQ(chords.count(), 3U);
-  const std::uint32_t along = chords.across(mesh.find_side(VertexId(1U), VertexId(4U)));
-  EXPECT_EQ(chords[along].faces, 2U);
-  EXPECT_FALSE(chords[along].collapsible);
+  for (const bool triangle : {false, true}) {
+    // Two quads beside each other, and a triangle to their right; all around slides.
+    std::vector<double> x{0, 1, 2, 0, 1, 2}, y{0, 0, 0, 1, 1, 1};
+    std::vector<FaceCorners> faces{{VertexId(0U), VertexId(1U), VertexId(4U), VertexId(3U)},
+                                   {VertexId(1U), VertexId(2U), VertexId(5U), VertexId(4U)}};
+    if (triangle) {
+      x.push_back(3);
+      y.push_back(0.5);
+      faces.push_back({VertexId(2U), VertexId(6U), VertexId(5U), VertexId()});
+    }
+    Mesh mesh = build_mesh(std::move(x), std::move(y), faces);
+    ConstraintTags tags = ConstraintTags::add_to(mesh);
+    const SideId rung = mesh.find_side(VertexId(1U), VertexId(4U));
+    for (const VertexId v : mesh.vertices()) tags.support[v] = Support::on(PieceId(0U));
+    for (const FaceId f : mesh.faces())
+      for (int k = 0; k < mesh.corner_count(f); ++k) tags.set_constrained(SideId(f, k), true);
+    const Chords chords(mesh, tags);
+    ASSERT_EQ(chords.count(), 3U);
+    EXPECT_EQ(chords[chords.across(rung)].faces, 2U);
+    EXPECT_EQ(chords[chords.across(rung)].collapsible, !triangle);
+  }
 }
 
 TEST(CollapseOfChords, TakesTheRowBetweenOppositeChargesAway) {
@@ -262,6 +271,22 @@ TEST(CollapseOfChords, LeavesRowsWithFixedVerticesOnBothSides) {
   EXPECT_EQ(report.won, 0U);
   EXPECT_EQ(report.collapsible + 1, report.chords);
   EXPECT_EQ(shape_of(given.mesh, given.tags), before);
+}
+
+TEST(CollapseOfChords, LeavesRowsThatWouldTakeTooManyFaces) {
+  Turn given;
+  ChordOptions options;
+  options.most_shrinkage = 0.05;
+  const ChordReport report = collapse(given.mesh, options);
+  EXPECT_EQ(report.won, 0U);
+  EXPECT_EQ(report.rejected[static_cast<std::size_t>(ChordReject::kFaceBand)], 1U);
+}
+
+TEST(CollapseOfChords, GainsMoreWhereIrregularVerticesAreDear) {
+  Turn given;
+  ChordOptions options;
+  options.price = [](Vec3) { return 3.0; };
+  EXPECT_EQ(collapse(given.mesh, options).gained, 6);
 }
 
 TEST(CollapseOfChords, LeavesRowsThatGainTooLittleForTheirFaces) {
