@@ -38,6 +38,7 @@ class ChordCollapse {
 
  private:
   struct Gain {
+    std::uint64_t key = 0;  // of the set
     double energy = 0;
     std::size_t faces = 0;
     [[nodiscard]] double worth() const { return energy / static_cast<double>(faces); }
@@ -46,6 +47,8 @@ class ChordCollapse {
   // False if no chord went.
   bool run_round(const Progress& progress);
   void search(const Chords& chords, const SectorCharges& charges);
+  // Of a set that the last round looked at; none of others.
+  [[nodiscard]] std::optional<Gain> recall(std::uint64_t key) const;
   void choose(const Chords& chords, ChordSearch& search, const std::vector<ChordSet>& sets,
               const std::vector<std::optional<Gain>>& gains);
   [[nodiscard]] bool is_free(const Chords& chords, const ChordSet& set) const;
@@ -57,8 +60,9 @@ class ChordCollapse {
   const std::function<SectorCharges()>& find_charges_;
   std::size_t faces_;
   double fewest_ = 0;
+  double least_gain_ = 0;  // for each face
   std::vector<ChordProposal> proposals_;
-  std::vector<Gain> gains_;          // of the proposals
+  std::vector<Gain> known_;          // of the sets of the last round, by rising key
   std::vector<std::uint64_t> keys_;  // of the proposals
   std::vector<std::uint8_t> taken_;  // by vertex: of a face of a proposal
   KeySet refused_;                   // sets that cannot collapse, gain nothing or were judged not good enough
@@ -96,14 +100,18 @@ void ChordCollapse::search(const Chords& chords, const SectorCharges& charges) {
   report_.sets += sets.size();
   ScratchPool<ChordSearch> searches(
       [&] { return std::make_unique<ChordSearch>(mesh_, tags, chords, charges, options_.price); });
-  const double least_gain = options_.least_gain / std::sqrt(static_cast<double>(faces_));
+  least_gain_ = options_.least_gain / std::sqrt(static_cast<double>(faces_));
   std::vector<std::optional<Gain>> gains(sets.size());
   std::vector<ChordReject> reasons(sets.size());
   parallel::for_each_chunk(sets.size(), kSearchChunk, [&](std::size_t begin, std::size_t end) {
     const ScratchPool<ChordSearch>::Loan search(searches);
-    for (std::size_t i = begin; i < end; ++i)
-      if (const auto gain = search->gain(sets[i], least_gain, reasons[i]))
-        gains[i] = {*gain, search->count_crossed()};
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::uint64_t key = key_of(sets[i], chords);
+      gains[i] = recall(key);
+      if (gains[i]) continue;
+      if (const auto gain = search->gain(sets[i], least_gain_, reasons[i]))
+        gains[i] = {key, *gain, search->count_crossed()};
+    }
   });
   for (std::size_t i = 0; i < sets.size(); ++i) {
     if (gains[i]) continue;
@@ -112,13 +120,24 @@ void ChordCollapse::search(const Chords& chords, const SectorCharges& charges) {
   }
   const ScratchPool<ChordSearch>::Loan search(searches);
   choose(chords, *search, sets, gains);
+  known_.clear();
+  for (const std::optional<Gain>& gain : gains)
+    if (gain) known_.push_back(*gain);
+  std::sort(known_.begin(), known_.end(), [](const Gain& a, const Gain& b) { return a.key < b.key; });
 }
 
-// Those that gain most for their faces first, as far as they share no vertex.
+std::optional<ChordCollapse::Gain> ChordCollapse::recall(std::uint64_t key) const {
+  const auto found = std::lower_bound(known_.begin(), known_.end(), key,
+                                      [](const Gain& gain, std::uint64_t k) { return gain.key < k; });
+  if (found == known_.end() || found->key != key) return std::nullopt;
+  return *found;
+}
+
+// Those that gain most for their faces first, as far as they share no vertex. What was known of a set may
+// have changed by a collapse beside it: its proposal is looked at anew.
 void ChordCollapse::choose(const Chords& chords, ChordSearch& search, const std::vector<ChordSet>& sets,
                            const std::vector<std::optional<Gain>>& gains) {
   proposals_.clear();
-  gains_.clear();
   keys_.clear();
   taken_.assign(mesh_.vertex_slots(), 0);
   std::vector<std::uint32_t> order;
@@ -137,10 +156,11 @@ void ChordCollapse::choose(const Chords& chords, ChordSearch& search, const std:
       report_.reject(ChordReject::kFaceBand);
       continue;
     }
-    std::optional<ChordProposal> proposal = search.propose(sets[i]);
+    ChordReject reason{};
+    std::optional<ChordProposal> proposal = search.propose(sets[i], least_gain_, reason);
     if (!proposal) {
-      report_.reject(ChordReject::kNotWhole);
-      refused_.insert(key_of(sets[i], chords));
+      report_.reject(reason);
+      refused_.insert(gains[i]->key);
       continue;
     }
     if (!take(*proposal)) {
@@ -150,8 +170,7 @@ void ChordCollapse::choose(const Chords& chords, ChordSearch& search, const std:
     left -= gone;
     ++report_.tried;
     proposals_.push_back(std::move(*proposal));
-    gains_.push_back(*gains[i]);
-    keys_.push_back(key_of(sets[i], chords));
+    keys_.push_back(gains[i]->key);
   }
 }
 
@@ -188,9 +207,9 @@ void ChordCollapse::count(const ChordCommit& operation) {
       continue;
     }
     ++report_.won;
-    report_.faces += gains_[i].faces;
-    report_.gained += gains_[i].energy;
-    faces_ -= gains_[i].faces;
+    report_.faces += proposals_[i].crossed.size();
+    report_.gained += proposals_[i].gain;
+    faces_ -= proposals_[i].crossed.size();
   }
 }
 

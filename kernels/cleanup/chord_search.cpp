@@ -29,13 +29,15 @@ std::optional<double> ChordSearch::gain(const ChordSet& set, double least_gain, 
   return gain;
 }
 
-std::optional<ChordProposal> ChordSearch::propose(const ChordSet& set) {
-  gather(set);
+std::optional<ChordProposal> ChordSearch::propose(const ChordSet& set, double least_gain,
+                                                  ChordReject& reason) {
+  const std::optional<double> gained = gain(set, least_gain, reason);
+  if (!gained) return std::nullopt;
   ChordProposal proposal;
-  if (!keeps_lines()) return std::nullopt;
-  gather_sectors(set);
+  reason = ChordReject::kNotWhole;
   if (!gather_beside(proposal)) return std::nullopt;
   proposal.crossed = faces_;
+  proposal.gain = *gained;
   return proposal;
 }
 

@@ -31,6 +31,7 @@ struct ChordProposal {
   };
   std::vector<Group> groups;
   std::vector<VertexId> members;
+  double gain = 0;  // by so much the valence energy falls
 };
 
 class ChordSearch {
@@ -44,8 +45,9 @@ class ChordSearch {
   [[nodiscard]] std::optional<double> gain(const ChordSet& set, double least_gain, ChordReject& reason);
   // Faces of the set that was asked for last.
   [[nodiscard]] std::size_t count_crossed() const { return faces_.size(); }
-  // The collapse of such a set; none if the mesh would not stay whole.
-  [[nodiscard]] std::optional<ChordProposal> propose(const ChordSet& set);
+  // The collapse of a set that gains so much, if the mesh stays whole. Else sets the reason.
+  [[nodiscard]] std::optional<ChordProposal> propose(const ChordSet& set, double least_gain,
+                                                     ChordReject& reason);
 
  private:
   struct Vertex {
