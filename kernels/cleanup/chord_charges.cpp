@@ -1,7 +1,5 @@
 #include "kernels/cleanup/chord_charges.hpp"
 
-#include <algorithm>
-
 #include "engine/parallel/parallel.hpp"
 #include "kernels/cleanup/ideal.hpp"
 
@@ -14,7 +12,7 @@ SectorCharges::SectorCharges(const Mesh& cut_open) : charges_(cut_open.face_slot
     if (!cut_open.alive(v)) return;
     int charge = ideal[v];
     for_each_side_around(cut_open, v, [&](SideId) { --charge; });
-    const auto kept = static_cast<std::int8_t>(std::clamp(charge, -128, 127));
+    const auto kept = stored(charge);
     for_each_side_around(cut_open, v, [&](SideId s) {
       charges_[s.face().value()][static_cast<std::size_t>(s.index())] = kept;
     });

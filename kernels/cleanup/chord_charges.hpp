@@ -2,6 +2,7 @@
 // on a mesh in one piece, where a sector has no vertex of its own.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -16,6 +17,8 @@ namespace quarry {
 // only go together.
 class SectorCharges {
  public:
+  using OfFace = std::array<std::int8_t, 4>;  // at its corners
+
   // cut_open: with the vertex tag "ideal_faces". Faces keep their numbers when it is sewn again.
   explicit SectorCharges(const Mesh& cut_open);
 
@@ -24,8 +27,15 @@ class SectorCharges {
     return charges_[s.face().value()][static_cast<std::size_t>(s.index())];
   }
 
+  // For faces that an operation has given other corners, or other sectors.
+  void set(FaceId f, const OfFace& charges) { charges_[f.value()] = charges; }
+  // The charge as it is kept: beyond a byte it says no more than its sign.
+  [[nodiscard]] static std::int8_t stored(int charge) {
+    return static_cast<std::int8_t>(std::clamp(charge, -128, 127));
+  }
+
  private:
-  std::vector<std::array<std::int8_t, 4>> charges_;  // by face
+  std::vector<OfFace> charges_;  // by face
 };
 
 }  // namespace quarry

@@ -5,6 +5,7 @@
 #include <memory>
 #include <numeric>
 #include <optional>
+#include <utility>
 
 #include "engine/mesh/balance.hpp"
 #include "engine/parallel/parallel.hpp"
@@ -19,10 +20,10 @@ constexpr std::size_t kSearchChunk = 16;
 
 class ChordCollapse {
  public:
-  ChordCollapse(Mesh& mesh, const ChordOptions& options, const std::function<SectorCharges()>& find_charges)
+  ChordCollapse(Mesh& mesh, SectorCharges charges, const ChordOptions& options)
       : mesh_(mesh),
+        charges_(std::move(charges)),
         options_(options),
-        find_charges_(find_charges),
         faces_(mesh.count_alive_faces()),
         balance_(mesh) {}
 
@@ -46,7 +47,7 @@ class ChordCollapse {
 
   // False if no chord went.
   bool run_round(const Progress& progress);
-  void search(const Chords& chords, const SectorCharges& charges);
+  void search(const Chords& chords);
   // Of a set that the last round looked at; none of others.
   [[nodiscard]] std::optional<Gain> recall(std::uint64_t key) const;
   void choose(const Chords& chords, ChordSearch& search, const std::vector<ChordSet>& sets,
@@ -56,8 +57,8 @@ class ChordCollapse {
   void count(const ChordCommit& operation);
 
   Mesh& mesh_;
+  SectorCharges charges_;  // of the mesh as it is now
   const ChordOptions& options_;
-  const std::function<SectorCharges()>& find_charges_;
   std::size_t faces_;
   double fewest_ = 0;
   double least_gain_ = 0;  // for each face
@@ -71,13 +72,12 @@ class ChordCollapse {
 };
 
 bool ChordCollapse::run_round(const Progress& progress) {
-  const SectorCharges charges = find_charges_();
   const Chords chords(mesh_, ConstraintTags::of(mesh_));
   if (report_.rounds++ == 0) {
     report_.chords = chords.count();
     for (std::uint32_t i = 0; i < chords.count(); ++i) report_.collapsible += chords[i].collapsible ? 1 : 0;
   }
-  search(chords, charges);
+  search(chords);
   if (proposals_.empty()) return false;
   const ChordCommit operation(mesh_, options_, proposals_);
   std::vector<std::uint32_t> work(proposals_.size());
@@ -93,13 +93,13 @@ bool ChordCollapse::run_round(const Progress& progress) {
   return report_.won > won_before;
 }
 
-void ChordCollapse::search(const Chords& chords, const SectorCharges& charges) {
+void ChordCollapse::search(const Chords& chords) {
   const ConstraintTags tags = ConstraintTags::of(mesh_);
-  std::vector<ChordSet> sets = find_chord_sets(mesh_, tags, chords, charges);
+  std::vector<ChordSet> sets = find_chord_sets(mesh_, tags, chords, charges_);
   std::erase_if(sets, [&](const ChordSet& set) { return refused_.contains(key_of(set, chords)); });
   report_.sets += sets.size();
   ScratchPool<ChordSearch> searches(
-      [&] { return std::make_unique<ChordSearch>(mesh_, tags, chords, charges, options_.price); });
+      [&] { return std::make_unique<ChordSearch>(mesh_, tags, chords, charges_, options_.price); });
   least_gain_ = options_.least_gain / std::sqrt(static_cast<double>(faces_));
   std::vector<std::optional<Gain>> gains(sets.size());
   std::vector<ChordReject> reasons(sets.size());
@@ -201,23 +201,26 @@ bool ChordCollapse::take(const ChordProposal& proposal) {
 
 void ChordCollapse::count(const ChordCommit& operation) {
   for (std::uint32_t i = 0; i < proposals_.size(); ++i) {
+    const ChordProposal& proposal = proposals_[i];
     if (!operation.won(i)) {
       report_.reject(ChordReject::kQuality);
       refused_.insert(keys_[i]);
       continue;
     }
     ++report_.won;
-    report_.faces += proposals_[i].crossed.size();
-    report_.gained += proposals_[i].gain;
-    faces_ -= proposals_[i].crossed.size();
+    report_.faces += proposal.crossed.size();
+    report_.gained += proposal.gain;
+    faces_ -= proposal.crossed.size();
+    for (std::size_t k = 0; k < proposal.beside.size(); ++k)
+      charges_.set(proposal.beside[k], proposal.charges[k]);
   }
 }
 
 }  // namespace
 
-ChordReport collapse_chords(Mesh& mesh, const ChordOptions& options,
-                            const std::function<SectorCharges()>& find_charges, const Progress& progress) {
-  return ChordCollapse(mesh, options, find_charges).run(progress);
+ChordReport collapse_chords(Mesh& mesh, SectorCharges charges, const ChordOptions& options,
+                            const Progress& progress) {
+  return ChordCollapse(mesh, std::move(charges), options).run(progress);
 }
 
 }  // namespace quarry

@@ -8,7 +8,6 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 
 #include "engine/base/progress.hpp"
 #include "engine/mesh/mesh.hpp"
@@ -39,10 +38,9 @@ struct ChordOptions {
 };
 
 // The mesh: planar, of quads and triangles, with ConstraintTags, in one piece. Vertices on lines keep to
-// them, and fixed ones stay. Tombstones stay. The result does not depend on the number of threads.
-// find_charges(): of the mesh as it is at the time; it is called once a round, and may cut the mesh open and
-// sew it again.
-ChordReport collapse_chords(Mesh& mesh, const ChordOptions& options,
-                            const std::function<SectorCharges()>& find_charges, const Progress& progress);
+// them, and fixed ones stay. Tombstones stay. charges: of the mesh. The result does not depend on the number
+// of threads.
+ChordReport collapse_chords(Mesh& mesh, SectorCharges charges, const ChordOptions& options,
+                            const Progress& progress);
 
 }  // namespace quarry

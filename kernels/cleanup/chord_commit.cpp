@@ -12,13 +12,10 @@ struct ChordCommit::Worker {
   FaceReplacer replacer;
   LocalSmoother<PlaneModel> smoother{plane};
   LocalNumbers numbers;
-  std::vector<VertexId> near;        // of the faces and of the rows around
-  std::vector<FaceId> faces;         // that have these vertices as corners, each once
   std::vector<FaceId> old;           // faces: those beside, then those crossed
   std::vector<FaceCorners> corners;  // of old
   std::vector<std::uint8_t> sides;   // of old
-  std::vector<Vec2> places;          // of near
-  std::vector<VertexId> movable;
+  std::vector<Vec2> places;          // of the region
 };
 
 ChordCommit::ChordCommit(const Mesh& mesh, const ChordOptions& options,
@@ -26,6 +23,7 @@ ChordCommit::ChordCommit(const Mesh& mesh, const ChordOptions& options,
     : options_(&options),
       proposals_(proposals),
       tags_(ConstraintTags::of(mesh)),
+      regions_(proposals.size()),
       won_(proposals.size(), 0),
       workers_([] { return std::make_unique<Worker>(); }) {}
 
@@ -33,39 +31,38 @@ ChordCommit::~ChordCommit() = default;
 
 bool ChordCommit::propose(const Mesh& mesh, Item item, Cavity& cavity, Plan& /*plan*/) const {
   const ScratchPool<Worker>::Loan worker(workers_);
-  gather(mesh, proposals_[item], *worker);
-  for (const VertexId v : worker->near) cavity.claim(v);
+  gather(mesh, proposals_[item], regions_[item], worker->numbers);
+  for (const VertexId v : regions_[item].near) cavity.claim(v);
   return true;
 }
 
-// The vertices of the faces, then row by row those around; those of the last row are read and not moved.
-void ChordCommit::gather(const Mesh& mesh, const ChordProposal& proposal, Worker& worker) const {
-  worker.numbers.clear(4 * proposal.beside.size());
-  worker.near.clear();
+// The vertices of the faces, then row by row those around.
+void ChordCommit::gather(const Mesh& mesh, const ChordProposal& proposal, Region& region,
+                         LocalNumbers& numbers) const {
+  region = Region();
+  numbers.clear(4 * proposal.beside.size());
   const auto take = [&](FaceId f) {
-    worker.faces.push_back(f);
+    region.faces.push_back(f);
     for (int k = 0; k < mesh.corner_count(f); ++k)
-      if (worker.numbers.number(mesh.corner(f, k)).second) worker.near.push_back(mesh.corner(f, k));
+      if (numbers.number(mesh.corner(f, k)).second) region.near.push_back(mesh.corner(f, k));
   };
-  worker.faces.clear();
   std::for_each(proposal.beside.begin(), proposal.beside.end(), take);
   std::for_each(proposal.crossed.begin(), proposal.crossed.end(), take);
-  worker.movable.clear();
   for (std::size_t begin = 0, row = 0; row <= static_cast<std::size_t>(options_->rows); ++row) {
-    const std::size_t end = worker.near.size();
+    const std::size_t end = region.near.size();
     for (; begin < end; ++begin) {
-      const VertexId v = worker.near[begin];
+      const VertexId v = region.near[begin];
       for_each_side_around(mesh, v, [&](SideId s) { take(s.face()); });
-      if (!is_held(mesh, tags_, v)) worker.movable.push_back(v);
+      if (!is_held(mesh, tags_, v)) region.movable.push_back(v);
     }
   }
-  std::sort(worker.faces.begin(), worker.faces.end());
-  worker.faces.erase(std::unique(worker.faces.begin(), worker.faces.end()), worker.faces.end());
+  std::sort(region.faces.begin(), region.faces.end());
+  region.faces.erase(std::unique(region.faces.begin(), region.faces.end()), region.faces.end());
 }
 
-ChordCommit::Quality ChordCommit::quality_of(const Mesh& mesh, const Worker& worker) const {
+ChordCommit::Quality ChordCommit::quality_of(const Mesh& mesh, const Region& region) const {
   Quality quality;
-  for (const FaceId f : worker.faces) {
+  for (const FaceId f : region.faces) {
     if (!mesh.alive(f)) continue;
     const double smallest = signed_scaled_jacobian(mesh, PlaneModel(), f);
     quality.smallest = std::min(quality.smallest, smallest);
@@ -79,16 +76,17 @@ void ChordCommit::apply(MeshEditor& editor, Item item, const Plan& /*plan*/, New
                         FollowUps<Item>& /*follow_ups*/) const {
   const ChordProposal& proposal = proposals_[item];
   const ScratchPool<Worker>::Loan worker(workers_);
-  gather(editor.mesh(), proposal, *worker);
-  const Quality before = quality_of(editor.mesh(), *worker);
-  save(editor, proposal, *worker);
+  Region& region = regions_[item];
+  const Quality before = quality_of(editor.mesh(), region);
+  save(editor, proposal, region, *worker);
   collapse(editor, proposal, ids, *worker);
-  const bool won = smooth(editor, *worker) && good(before, quality_of(editor.mesh(), *worker));
+  const bool won = smooth(editor, region, *worker) && good(before, quality_of(editor.mesh(), region));
   won_[item] = won ? 1 : 0;
-  if (!won) restore(editor, *worker);
+  if (!won) restore(editor, region, *worker);
 }
 
-void ChordCommit::save(const MeshEditor& editor, const ChordProposal& proposal, Worker& worker) const {
+void ChordCommit::save(const MeshEditor& editor, const ChordProposal& proposal, const Region& region,
+                       Worker& worker) const {
   worker.old = proposal.beside;
   worker.old.insert(worker.old.end(), proposal.crossed.begin(), proposal.crossed.end());
   worker.corners.clear();
@@ -99,7 +97,7 @@ void ChordCommit::save(const MeshEditor& editor, const ChordProposal& proposal, 
     worker.sides.push_back(tags_.sides[f]);
   }
   worker.places.clear();
-  for (const VertexId v : worker.near) worker.places.push_back(editor.point(v));
+  for (const VertexId v : region.near) worker.places.push_back(editor.point(v));
 }
 
 // Of a vertex on a piece, which is straight, in the middle of those there that it is made of.
@@ -130,15 +128,15 @@ void ChordCommit::collapse(MeshEditor& editor, const ChordProposal& proposal, Ne
     editor.set_point(proposal.groups[i].kept, middles[i]);
 }
 
-void ChordCommit::restore(MeshEditor& editor, Worker& worker) const {
+void ChordCommit::restore(MeshEditor& editor, const Region& region, Worker& worker) const {
   worker.replacer.undo(editor, tags_, worker.corners);
   for (std::size_t i = 0; i < worker.old.size(); ++i) editor.set(tags_.sides, worker.old[i], worker.sides[i]);
-  for (std::size_t i = 0; i < worker.near.size(); ++i) editor.set_point(worker.near[i], worker.places[i]);
+  for (std::size_t i = 0; i < region.near.size(); ++i) editor.set_point(region.near[i], worker.places[i]);
 }
 
-bool ChordCommit::smooth(MeshEditor& editor, Worker& worker) const {
-  std::erase_if(worker.movable, [&](VertexId v) { return !editor.mesh().alive(v); });
-  return worker.movable.empty() || worker.smoother.run(editor, worker.movable, options_->smoothing) > 0;
+bool ChordCommit::smooth(MeshEditor& editor, Region& region, Worker& worker) const {
+  std::erase_if(region.movable, [&](VertexId v) { return !editor.mesh().alive(v); });
+  return region.movable.empty() || worker.smoother.run(editor, region.movable, options_->smoothing) > 0;
 }
 
 bool ChordCommit::good(const Quality& before, const Quality& after) const {

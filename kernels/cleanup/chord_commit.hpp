@@ -31,11 +31,18 @@ class ChordCommit {
 
  private:
   struct Worker;
+  // The faces of a proposal and the rows around them.
+  struct Region {
+    std::vector<VertexId> near;     // its vertices
+    std::vector<FaceId> faces;      // each once
+    std::vector<VertexId> movable;  // free, and not in the last row, whose vertices are read
+  };
 
-  void gather(const Mesh& mesh, const ChordProposal& proposal, Worker& worker) const;
-  void save(const MeshEditor& editor, const ChordProposal& proposal, Worker& worker) const;
+  void gather(const Mesh& mesh, const ChordProposal& proposal, Region& region, LocalNumbers& numbers) const;
+  void save(const MeshEditor& editor, const ChordProposal& proposal, const Region& region,
+            Worker& worker) const;
   void collapse(MeshEditor& editor, const ChordProposal& proposal, NewIds& ids, Worker& worker) const;
-  void restore(MeshEditor& editor, Worker& worker) const;
+  void restore(MeshEditor& editor, const Region& region, Worker& worker) const;
   [[nodiscard]] Vec2 middle(const MeshEditor& editor, const ChordProposal& proposal,
                             const ChordProposal::Group& group) const;
   // Of the faces near a chord.
@@ -44,15 +51,17 @@ class ChordCommit {
     std::size_t low = 0;  // faces below what patches ask for
     double edge_ratio = 1;
   };
-  [[nodiscard]] Quality quality_of(const Mesh& mesh, const Worker& worker) const;
+  [[nodiscard]] Quality quality_of(const Mesh& mesh, const Region& region) const;
   // False if a face is turned over.
-  [[nodiscard]] bool smooth(MeshEditor& editor, Worker& worker) const;
+  [[nodiscard]] bool smooth(MeshEditor& editor, Region& region, Worker& worker) const;
   [[nodiscard]] bool good(const Quality& before, const Quality& after) const;
 
   const ChordOptions* options_;
   std::span<const ChordProposal> proposals_;
   ConstraintTags tags_;
-  mutable std::vector<std::uint8_t> won_;  // each written by the thread that has the proposal
+  // By proposal, each written by the thread that has it: what propose() found for apply(), and the outcome.
+  mutable std::vector<Region> regions_;
+  mutable std::vector<std::uint8_t> won_;
   mutable ScratchPool<Worker> workers_;
 };
 

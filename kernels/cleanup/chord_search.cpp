@@ -203,8 +203,10 @@ bool ChordSearch::gather_beside(ChordProposal& proposal) {
 bool ChordSearch::write_fresh(FaceId f, ChordProposal& proposal) {
   const int corners = mesh_->corner_count(f);
   FaceCorners fresh{};
+  SectorCharges::OfFace charges{};
   std::uint8_t bits = 0;
   for (int k = 0; k < corners; ++k) {
+    charges[static_cast<std::size_t>(k)] = SectorCharges::stored(charge_after(SideId(f, k)));
     fresh[static_cast<std::size_t>(k)] = kept(mesh_->corner(f, k));
     if (constrained_past(SideId(f, k))) bits = static_cast<std::uint8_t>(bits | (1U << k));
   }
@@ -217,7 +219,14 @@ bool ChordSearch::write_fresh(FaceId f, ChordProposal& proposal) {
   proposal.beside.push_back(f);
   proposal.fresh.push_back(fresh);
   proposal.sides.push_back(bits);
+  proposal.charges.push_back(charges);
   return true;
+}
+
+// Sectors that become one have the sum of their charges; what no chord touches keeps its own.
+int ChordSearch::charge_after(SideId s) {
+  const std::uint32_t* sector = sector_numbers_.find(first_side(s).value());
+  return sector != nullptr ? sectors_[root_of(sectors_, &Sector::parent, *sector)].charge : (*charges_)[s];
 }
 
 // A side beside chords becomes one with those across them.

@@ -25,6 +25,7 @@ struct ChordProposal {
   std::vector<FaceId> beside, crossed;  // faces
   std::vector<FaceCorners> fresh;       // corners of the faces beside
   std::vector<std::uint8_t> sides;      // their constrained sides
+  std::vector<SectorCharges::OfFace> charges;
   struct Group {
     VertexId kept;
     std::uint32_t begin, end;  // of members
@@ -77,6 +78,7 @@ class ChordSearch {
   [[nodiscard]] bool crossed(FaceId f) { return crossed_.find(stamped_key(f)) != nullptr; }
   [[nodiscard]] bool write_fresh(FaceId f, ChordProposal& proposal);
   [[nodiscard]] bool constrained_past(SideId s);
+  [[nodiscard]] int charge_after(SideId s);
   [[nodiscard]] double energy_fall();
   [[nodiscard]] double energy_at(VertexId v, int charge) const {
     return charge != 0 && *price_ ? (*price_)(mesh_->point3(v)) * charge * charge : charge * charge;

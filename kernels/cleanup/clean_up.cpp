@@ -126,8 +126,7 @@ class CleanUp {
     options.largest_edge_ratio = patches.largest_edge_ratio;
     options.price = patches.price;
     add_time(report_.chord_seconds, [&] {
-      report_.chords = quarry::collapse_chords(
-          mesh_, options, [&] { return find_charges(); }, progress_);
+      report_.chords = quarry::collapse_chords(mesh_, find_charges(), options, progress_);
       if (report_.chords.won == 0) return;
       mesh_.remove_tag<FaceId>(kSignatureTag);
       memory = PatchMemory();

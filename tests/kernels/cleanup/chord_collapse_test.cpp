@@ -27,14 +27,11 @@ namespace quarry {
 namespace {
 
 ChordReport collapse(Mesh& mesh, const ChordOptions& options = {}) {
-  const auto find_charges = [&] {
-    cut_open(mesh, ConstraintTags::of(mesh));
-    set_ideal_faces(mesh, PlaneModel());
-    SectorCharges charges(mesh);
-    sew(mesh, ConstraintTags::of(mesh));
-    return charges;
-  };
-  return collapse_chords(mesh, options, find_charges, Progress());
+  cut_open(mesh, ConstraintTags::of(mesh));
+  set_ideal_faces(mesh, PlaneModel());
+  SectorCharges charges(mesh);
+  sew(mesh, ConstraintTags::of(mesh));
+  return collapse_chords(mesh, std::move(charges), options, Progress());
 }
 
 // Points, corners and lines of what is alive.
