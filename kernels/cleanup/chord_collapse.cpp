@@ -45,8 +45,9 @@ class ChordCollapse {
     [[nodiscard]] double worth() const { return energy / static_cast<double>(faces); }
   };
 
-  // False if no chord went.
+  // False if another is not worth its time.
   bool run_round(const Progress& progress);
+  [[nodiscard]] bool is_worth_it(std::uint64_t won, std::uint64_t sets) const;
   void search(const Chords& chords);
   // Of a set that the last round looked at; none of others.
   [[nodiscard]] std::optional<Gain> recall(std::uint64_t key) const;
@@ -77,6 +78,7 @@ bool ChordCollapse::run_round(const Progress& progress) {
     report_.chords = chords.count();
     for (std::uint32_t i = 0; i < chords.count(); ++i) report_.collapsible += chords[i].collapsible ? 1 : 0;
   }
+  const std::uint64_t sets_before = report_.sets;
   search(chords);
   if (proposals_.empty()) return false;
   const ChordCommit operation(mesh_, options_, proposals_);
@@ -90,7 +92,13 @@ bool ChordCollapse::run_round(const Progress& progress) {
   balance_.check("collapse of chords", mesh_, GeometryCheck::kNone);
   const std::uint64_t won_before = report_.won;
   count(operation);
-  return report_.won > won_before;
+  return is_worth_it(report_.won - won_before, report_.sets - sets_before);
+}
+
+bool ChordCollapse::is_worth_it(std::uint64_t won, std::uint64_t sets) const {
+  constexpr std::uint64_t kFewSets = 200;
+  return won > 0 &&
+         (sets < kFewSets || static_cast<double>(won) >= options_.least_yield * static_cast<double>(sets));
 }
 
 void ChordCollapse::search(const Chords& chords) {

@@ -22,8 +22,10 @@ struct ChordOptions {
   // The least valence energy for each root of the number of faces of the mesh, which is about one row of it,
   // that goes: the mesh becomes coarser all along a chord.
   double least_gain = 0.5;
-  // Rounds: chords that share faces go one after the other. No more after one in which none went. 0: none.
+  // Rounds: chords that share faces go one after the other. No more after one in which none went, or fewer
+  // than the share `least_yield` of the sets looked at (of few sets nothing can be said). 0: none.
   int most_rounds = 6;
+  double least_yield = 0.002;
   // The whole mesh: collapses that take its number of faces further than this share from `wanted_faces` (0:
   // those at the start) are left out.
   double most_shrinkage = 0.1;

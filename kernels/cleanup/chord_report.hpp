@@ -13,12 +13,13 @@ namespace quarry {
 enum class ChordReject : std::uint8_t {
   kLines,     // fixed vertices, or lines, would become one
   kNotWhole,  // a face or an edge would be lost beside them
+  kFewFaces,  // around a vertex: a corner would be a half turn or more
   kNoGain,    // the valence energy would not fall, or by too little for their faces
   kOverlap,   // they touch others that gain more: looked at anew in the next round, if there is one
   kFaceBand,  // the mesh would have too few faces
   kQuality,   // judged after smoothing
 };
-inline constexpr std::size_t kChordRejects = 6;
+inline constexpr std::size_t kChordRejects = 7;
 
 struct ChordReport {
   std::uint64_t chords = 0;       // at the start

@@ -1,6 +1,7 @@
 #include "kernels/cleanup/chord_search.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace quarry {
 namespace {
@@ -22,7 +23,7 @@ std::optional<double> ChordSearch::gain(const ChordSet& set, double least_gain, 
   gather(set);
   reason = ChordReject::kLines;
   if (!keeps_lines()) return std::nullopt;
-  gather_sectors(set);
+  gather_sectors(false);
   const double gain = energy_fall();
   reason = ChordReject::kNoGain;
   if (!(gain > 0) || gain < least_gain * static_cast<double>(faces_.size())) return std::nullopt;
@@ -33,9 +34,9 @@ std::optional<ChordProposal> ChordSearch::propose(const ChordSet& set, double le
                                                   ChordReject& reason) {
   const std::optional<double> gained = gain(set, least_gain, reason);
   if (!gained) return std::nullopt;
+  gather_sectors(true);
   ChordProposal proposal;
-  reason = ChordReject::kNotWhole;
-  if (!gather_beside(proposal)) return std::nullopt;
+  if (!gather_beside(proposal, reason)) return std::nullopt;
   proposal.crossed = faces_;
   proposal.gain = *gained;
   return proposal;
@@ -51,35 +52,44 @@ void ChordSearch::gather(const ChordSet& set) {
   rungs_.clear();
   faces_.clear();
   vertices_.clear();
+  const auto add_rung = [&](SideId s) {
+    const std::uint32_t a = number(mesh_->origin(s));
+    const std::uint32_t b = number(mesh_->target(s));
+    ++vertices_[a].rungs;
+    ++vertices_[b].rungs;
+    rungs_.push_back({s, a, b});
+  };
   for (const std::uint32_t chord : set.chords) {
     if (chord == Chords::kNone) continue;
     chords_->for_each_face(chord, [&](SideId s) {
       if (crossed_.insert(stamped_key(s.face())).is_new) faces_.push_back(s.face());
       const SideId t = Chords::opposite(s);
-      rungs_.push_back(s);
-      if (!mesh_->neighbour(t).valid()) rungs_.push_back(t);
+      add_rung(s);
+      if (!mesh_->neighbour(t).valid()) add_rung(t);
     });
   }
-  for (const SideId s : rungs_) {
-    const std::uint32_t a = number(mesh_->origin(s));
-    const std::uint32_t b = number(mesh_->target(s));
+  for (const auto& [s, a, b] : rungs_) {
     vertices_[root_of(vertices_, &Vertex::group, b)].group = root_of(vertices_, &Vertex::group, a);
     if (tags_.constrained(s))
       vertices_[root_of(vertices_, &Vertex::line, b)].line = root_of(vertices_, &Vertex::line, a);
   }
 }
 
-void ChordSearch::gather_sectors(const ChordSet& set) {
+// Two sectors without charge that only one rung joins, which are most, change nothing: they are left out
+// unless all are asked for.
+void ChordSearch::gather_sectors(bool all) {
   sector_numbers_.clear(4 * faces_.size());
   sectors_.clear();
-  for (const std::uint32_t chord : set.chords) {
-    if (chord == Chords::kNone) continue;
-    chords_->for_each_face(chord, [&](SideId s) {
-      const SideId t = Chords::opposite(s);
-      join_sectors(s, mesh_->next(s));
-      join_sectors(t, mesh_->next(t));
-    });
+  for (const auto& [s, a, b] : rungs_) {
+    const bool alone = vertices_[a].rungs == 1 && vertices_[b].rungs == 1;
+    join_along(s, all || !alone);
+    if (const SideId t = mesh_->neighbour(s); t.valid()) join_along(t, all || !alone);
   }
+}
+
+void ChordSearch::join_along(SideId s, bool all) {
+  const SideId next = mesh_->next(s);
+  if (all || (*charges_)[s] != 0 || (*charges_)[next] != 0) join_sectors(s, next);
 }
 
 std::uint32_t ChordSearch::number(VertexId v) {
@@ -99,12 +109,13 @@ SideId ChordSearch::first_side(SideId s) const {
 }
 
 std::uint32_t ChordSearch::sector_of(SideId s) {
-  const auto [number, is_new] = sector_numbers_.insert(first_side(s).value());
+  const SideId first = first_side(s);
+  const auto [number, is_new] = sector_numbers_.insert(first.value());
   if (is_new) {
     const VertexId v = mesh_->origin(s);
     number = static_cast<std::uint32_t>(sectors_.size());
     const int charge = (*charges_)[s];
-    sectors_.push_back({v, number, charge, energy_at(v, charge), 0, !is_held(*mesh_, tags_, v)});
+    sectors_.push_back({v, first, number, charge, energy_at(v, charge), 0, !is_held(*mesh_, tags_, v)});
   }
   return number;
 }
@@ -165,7 +176,8 @@ double ChordSearch::energy_fall() {
   return fall;
 }
 
-bool ChordSearch::gather_beside(ChordProposal& proposal) {
+bool ChordSearch::gather_beside(ChordProposal& proposal, ChordReject& reason) {
+  reason = ChordReject::kNotWhole;
   const std::size_t count = vertices_.size();
   std::vector<std::uint32_t> order(count);
   for (std::uint32_t i = 0; i < count; ++i) order[i] = i;
@@ -194,10 +206,33 @@ bool ChordSearch::gather_beside(ChordProposal& proposal) {
     });
     if (!whole) return false;
   }
-  for (std::uint32_t i = 0; i < sectors_.size(); ++i)
-    if (sectors_[i].parent == i && sectors_[i].faces < (sectors_[i].inside ? kLeastFacesInside : 1))
-      return false;
+  reason = ChordReject::kFewFaces;
+  return fill_sectors();
+}
+
+// Whether the faces that are left in each sector can have corners of less than a half turn. Lines keep their
+// directions at the vertex that is kept.
+bool ChordSearch::fill_sectors() {
+  for (std::uint32_t i = 0; i < sectors_.size(); ++i) {
+    const Sector& root = sectors_[root_of(sectors_, &Sector::parent, i)];
+    if (root.faces < (root.inside ? kLeastFacesInside : 1)) return false;
+    const VertexId v = sectors_[i].vertex;
+    if (root.faces == 1 && kept(v) == v && !one_fills(sectors_[i].first)) return false;
+  }
   return true;
+}
+
+// Whether one face can fill the sector of a vertex on lines.
+bool ChordSearch::one_fills(SideId first) const {
+  constexpr double kLeastSine = 1e-6;  // far below what is judged good enough
+  const VertexId v = mesh_->origin(first);
+  if (!tags_.support[v].is_fixed()) return false;
+  SideId last = mesh_->previous(first);
+  while (!tags_.constrained(last) && mesh_->neighbour(last).valid())
+    last = mesh_->previous(mesh_->neighbour(last));
+  const Vec2 right = mesh_->point(mesh_->target(first)) - mesh_->point(v);
+  const Vec2 left = mesh_->point(mesh_->origin(last)) - mesh_->point(v);
+  return cross(right, left) > kLeastSine * std::sqrt(dot(right, right) * dot(left, left));
 }
 
 bool ChordSearch::write_fresh(FaceId f, ChordProposal& proposal) {

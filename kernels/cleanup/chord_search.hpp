@@ -57,9 +57,11 @@ class ChordSearch {
     std::uint32_t line;                  // the same for those that become one along lines
     std::uint32_t held = Chords::kNone;  // of a root: the line that its group lies on
     VertexId kept;                       // of a root
+    std::uint32_t rungs = 0;             // that end here
   };
   struct Sector {
     VertexId vertex;
+    SideId first;  // its most clockwise side
     std::uint32_t parent;
     int charge;     // of a root: of all together
     double energy;  // of a root: that of all before
@@ -67,15 +69,24 @@ class ChordSearch {
     bool inside = false;
   };
 
+  // A side that chords cross, and the numbers of its ends.
+  struct Rung {
+    SideId side;
+    std::uint32_t from, to;
+  };
+
   void gather(const ChordSet& set);
-  void gather_sectors(const ChordSet& set);
+  void gather_sectors(bool all);
+  void join_along(SideId s, bool all);
   [[nodiscard]] std::uint32_t number(VertexId v);
   [[nodiscard]] SideId first_side(SideId s) const;
   [[nodiscard]] std::uint32_t sector_of(SideId s);
   void join_sectors(SideId a, SideId b);
   [[nodiscard]] bool keeps_lines();
-  [[nodiscard]] bool gather_beside(ChordProposal& proposal);
+  [[nodiscard]] bool gather_beside(ChordProposal& proposal, ChordReject& reason);
   [[nodiscard]] bool crossed(FaceId f) { return crossed_.find(stamped_key(f)) != nullptr; }
+  [[nodiscard]] bool fill_sectors();
+  [[nodiscard]] bool one_fills(SideId first) const;
   [[nodiscard]] bool write_fresh(FaceId f, ChordProposal& proposal);
   [[nodiscard]] bool constrained_past(SideId s);
   [[nodiscard]] int charge_after(SideId s);
@@ -91,7 +102,7 @@ class ChordSearch {
   const SectorCharges* charges_;
   const IrregularPrice* price_;
   StampedMap<char> crossed_, beside_, sides_;
-  std::vector<SideId> rungs_;
+  std::vector<Rung> rungs_;
   std::vector<FaceId> faces_;
   LocalNumbers numbers_;
   std::vector<Vertex> vertices_;

@@ -55,11 +55,12 @@ std::vector<std::uint64_t> shape_of(const Mesh& mesh, const ConstraintTags& tags
 struct Turn {
   static constexpr std::uint32_t kSide = 12, kMiddle = kSide / 2;
 
-  Mesh mesh = make();
+  Mesh mesh;
   ConstraintTags tags = ConstraintTags::add_to(mesh);
   NodedLines lines;
 
-  Turn() {
+  // dented: with vertices of three and five faces on the left of the row's vertical part.
+  explicit Turn(bool dented = false) : mesh(make(dented)) {
     const NodeId corners[] = {add_node(0, 0), add_node(kSide, 0), add_node(kSide, kSide), add_node(0, kSide)};
     for (std::size_t i = 0; i < 4; ++i) lines.pieces.push_back({corners[i], corners[(i + 1) % 4]});
     bind_outline();
@@ -79,6 +80,18 @@ struct Turn {
     const SideId s = mesh.find_side(a, b);
     tags.set_constrained(s, true);
     if (mesh.neighbour(s).valid()) tags.set_constrained(mesh.neighbour(s), true);
+  }
+
+  // The right side of the row's vertical part.
+  void put_rail_on_line() {
+    const PieceId piece = lines.pieces.push_back({lines.nodes.push_back({kMiddle + 0.25, kMiddle + 1.0}),
+                                                  lines.nodes.push_back({kMiddle + 0.25, double{kSide}})});
+    for (std::uint32_t j = kMiddle + 1; j < kSide; ++j) {
+      constrain(at(kMiddle, j), at(kMiddle, j + 1));
+      tags.support[at(kMiddle, j)] = Support::on(piece);
+    }
+    tags.support[at(kMiddle, kMiddle + 1)] = Support::at(lines.pieces[piece].from);
+    tags.support[at(kMiddle, kSide)] = Support::at(lines.pieces[piece].to);
   }
 
  private:
@@ -102,7 +115,7 @@ struct Turn {
     }
   }
 
-  static Mesh make() {
+  static Mesh make(bool dented) {
     std::vector<double> x, y;
     for (std::uint32_t j = 0; j <= kSide; ++j) {
       for (std::uint32_t i = 0; i <= kSide; ++i) {
@@ -129,7 +142,21 @@ struct Turn {
       }
     }
     for (std::size_t n = 0; n < kSide; ++n) faces.push_back({lower[n], lower[n + 1], upper[n + 1], upper[n]});
+    if (dented) dent(x, faces);
     return build_mesh(std::move(x), std::move(y), faces);
+  }
+
+  // The edge between two faces on the left of the row goes, and another of their hexagon's diagonals comes.
+  static void dent(std::vector<double>& x, std::vector<FaceCorners>& faces) {
+    const std::uint32_t i = kMiddle - 1, j = kMiddle + 2;
+    FaceCorners& below = faces[j * kSide + i];
+    FaceCorners& above = faces[(j + 1) * kSide + i];
+    const VertexId three = below[2];
+    x[three.value()] += 0.25;
+    x[below[3].value()] -= 0.25;
+    const FaceCorners right = {below[0], below[1], three, above[2]};
+    above = {below[0], above[2], above[3], above[0]};
+    below = right;
   }
 };
 
@@ -240,22 +267,27 @@ TEST(CollapseOfChords, TakesAnEdgeOfEachLineThatTheRowCrosses) {
 }
 
 TEST(CollapseOfChords, PullsARailOntoALine) {
-  // The vertical part of the row has a line on its right.
   Turn given;
-  const PieceId piece = given.lines.pieces.push_back(
-      {given.lines.nodes.push_back({Turn::kMiddle + 0.25, Turn::kMiddle + 1.0}),
-       given.lines.nodes.push_back({Turn::kMiddle + 0.25, double{Turn::kSide}})});
-  for (std::uint32_t j = Turn::kMiddle + 1; j < Turn::kSide; ++j) {
-    given.constrain(Turn::at(Turn::kMiddle, j), Turn::at(Turn::kMiddle, j + 1));
-    given.tags.support[Turn::at(Turn::kMiddle, j)] = Support::on(piece);
-  }
-  given.tags.support[Turn::at(Turn::kMiddle, Turn::kMiddle + 1)] =
-      Support::at(given.lines.pieces[piece].from);
-  given.tags.support[Turn::at(Turn::kMiddle, Turn::kSide)] = Support::at(given.lines.pieces[piece].to);
+  given.put_rail_on_line();
   const auto before = test::covered(given.mesh, given.tags, given.lines);
   EXPECT_EQ(collapse(given.mesh).won, 1U);
   EXPECT_EQ(validate(given.mesh, GeometryCheck::kPlanarCorners), "");
   test::expect_covered(test::covered(given.mesh, given.tags, given.lines), before);
+}
+
+TEST(CollapseOfChords, LeavesRowsThatWouldLeaveOneFaceAtAStraightLine) {
+  for (const bool line : {false, true}) {
+    Turn given(true);
+    // The chords that end in the dent stay.
+    for (const auto& [i, j] : {std::pair(9U, 9U), {9U, 10U}, {2U, 8U}, {2U, 9U}})
+      given.tags.support[Turn::at(i, j)] = Support::fixed();
+    if (line) given.put_rail_on_line();
+    ASSERT_EQ(validate(given.mesh, GeometryCheck::kPlanarCorners), "");
+    const ChordReport report = collapse(given.mesh);
+    EXPECT_EQ(report.won, line ? 0U : 1U);
+    EXPECT_EQ(report.tried, report.won);
+    EXPECT_EQ(report.rejected[static_cast<std::size_t>(ChordReject::kFewFaces)], line ? 1U : 0U);
+  }
 }
 
 TEST(CollapseOfChords, LeavesRowsWithFixedVerticesOnBothSides) {
@@ -325,8 +357,8 @@ void bind_hull(test::SyntheticMesh& given) {
 }
 
 // Quads between long lines.
-test::SyntheticMesh between_lines(std::uint64_t seed) {
-  test::SyntheticMesh given = test::cut_network({.columns = 14,
+test::SyntheticMesh between_lines(std::uint64_t seed, int columns = 14) {
+  test::SyntheticMesh given = test::cut_network({.columns = columns,
                                                  .rows = 12,
                                                  .seed = seed,
                                                  .jitter = 0.2,
@@ -385,6 +417,18 @@ TEST(CollapseOfChords, LeavesTheMeshAsItWasWhereFacesWouldBePoor) {
     left += report.rejected[static_cast<std::size_t>(ChordReject::kQuality)];
   }
   EXPECT_GT(left, 4U);
+}
+
+TEST(CollapseOfChords, EndWithTheRoundThatIsNotWorthIt) {
+  ChordOptions options;
+  options.least_gain = 0.1;
+  test::SyntheticMesh given = between_lines(1, 60);
+  EXPECT_GT(collapse(given.mesh, options).rounds, 1U);
+  options.least_yield = 0.9;
+  given = between_lines(1, 60);
+  const ChordReport report = collapse(given.mesh, options);
+  EXPECT_EQ(report.rounds, 1U) << report.sets << " sets, " << report.won << " won";
+  EXPECT_GT(report.won, 0U);
 }
 
 TEST(CollapseOfChords, IsTheSameOnAnyNumberOfThreads) {

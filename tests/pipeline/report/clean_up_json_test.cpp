@@ -106,6 +106,7 @@ TEST(CleanUpJson, SaysOfChordsWhatWasTriedWonAndRejected) {
   const auto reason = [](ChordReject reject) { return 200 + static_cast<int>(reject); };
   EXPECT_EQ(chords["rejected"]["lines"], reason(ChordReject::kLines));
   EXPECT_EQ(chords["rejected"]["not_whole"], reason(ChordReject::kNotWhole));
+  EXPECT_EQ(chords["rejected"]["few_faces"], reason(ChordReject::kFewFaces));
   EXPECT_EQ(chords["rejected"]["no_gain"], reason(ChordReject::kNoGain));
   EXPECT_EQ(chords["rejected"]["overlap"], reason(ChordReject::kOverlap));
   EXPECT_EQ(chords["rejected"]["number_of_faces"], reason(ChordReject::kFaceBand));
