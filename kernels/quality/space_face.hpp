@@ -10,8 +10,10 @@
 
 namespace quarry {
 
-// The cosine of the angle by which a face may turn from the mean of the normals of the surface at its
-// corners: 72 degrees. A scaled Jacobian alone does not see a face that lies upside down.
+// The mean of the cosines of the angles by which a face turns from the normals of the surface at its corners
+// is at least that of 72 degrees. A scaled Jacobian alone does not see a face that lies upside down, nor does
+// the angle to the mean of these normals see one that leads from one side of a blade to the other, far behind
+// its edge: what they have in common points away from the blade.
 inline constexpr double kLeastFacing = 0.3;
 
 // What a face that is not convex, or lies upside down, has at most.
@@ -27,10 +29,14 @@ inline constexpr double kNotConvex = -0.1;
   const Vec3 normal = count == 3 ? cross(corners[1] - corners[0], corners[2] - corners[0])
                                  : cross(corners[2] - corners[0], corners[3] - corners[1]);
   Vec3 up;
-  for (const SpacePoint& corner : corners) up = up + corner.up;
+  double all = 0;
+  for (const SpacePoint& corner : corners) {
+    up = up + corner.up;
+    all += length(corner.up);
+  }
   const double size = length(normal);
   const double facing = dot(normal, up);
-  const double least = kLeastFacing * size * length(up);
+  const double least = kLeastFacing * size * all;
   if (!(size > 0) || !(facing >= 0)) return -1;
   double smallest = 1;
   for (std::size_t k = 0; k < count; ++k) {

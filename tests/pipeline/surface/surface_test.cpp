@@ -242,6 +242,20 @@ TEST_F(SurfaceJob, TellsWhereElementsAreSmallerThanWantedAndWhy) {
                     "elements are smaller than wanted on"));
 }
 
+TEST_F(SurfaceJob, KeepsToTheEdgeOfABladeAndToTheCount) {
+  // Smooth all around, and blunt on the scale of the elements: smoothing drew the mesh back from the edge,
+  // and only many times as many elements were valid, if any.
+  TriangleSurface blade = test::sphere(5);
+  for (Vec3& p : blade.points) p = {10 * p.x, p.y, 0.2 * p.z};
+  const SurfaceResult result = mesh_surface(options_for(file_of(blade), 3000), Progress());
+  EXPECT_NEAR(static_cast<double>(result.mesh.count_alive_faces()), 3000, 150);
+  const QualitySummary quality = summarize_quality(result.mesh);
+  EXPECT_GT(quality.quads.scaled_jacobian.mean, 0.88);
+  double width = 0;
+  for (const VertexId v : result.mesh.vertices()) width = std::max(width, result.mesh.point3(v).y);
+  EXPECT_GT(width, 0.97);
+}
+
 TEST_F(SurfaceJob, KeepsTheApexOfAConeAndGoodQuadsAroundIt) {
   struct Cone {
     std::uint32_t sectors, rings;
