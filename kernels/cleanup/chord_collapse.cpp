@@ -49,6 +49,7 @@ class ChordCollapse {
   bool run_round(const Progress& progress);
   [[nodiscard]] bool is_worth_it(std::uint64_t won, std::uint64_t sets) const;
   void search(const Chords& chords);
+  void keep_shortest(const Chords& chords, std::vector<ChordSet>& sets);
   // Of a set that the last round looked at; none of others.
   [[nodiscard]] std::optional<Gain> recall(std::uint64_t key) const;
   void choose(const Chords& chords, ChordSearch& search, const std::vector<ChordSet>& sets,
@@ -105,6 +106,7 @@ void ChordCollapse::search(const Chords& chords) {
   const ConstraintTags tags = ConstraintTags::of(mesh_);
   std::vector<ChordSet> sets = find_chord_sets(mesh_, tags, chords, charges_);
   std::erase_if(sets, [&](const ChordSet& set) { return refused_.contains(key_of(set, chords)); });
+  keep_shortest(chords, sets);
   report_.sets += sets.size();
   ScratchPool<ChordSearch> searches(
       [&] { return std::make_unique<ChordSearch>(mesh_, tags, chords, charges_, options_.price); });
@@ -132,6 +134,25 @@ void ChordCollapse::search(const Chords& chords) {
   for (const std::optional<Gain>& gain : gains)
     if (gain) known_.push_back(*gain);
   std::sort(known_.begin(), known_.end(), [](const Gain& a, const Gain& b) { return a.key < b.key; });
+}
+
+void ChordCollapse::keep_shortest(const Chords& chords, std::vector<ChordSet>& sets) {
+  const auto length = [&](const ChordSet& set) {
+    std::size_t faces = 0;
+    for (const std::uint32_t chord : set.chords)
+      if (chord != Chords::kNone) faces += chords[chord].faces;
+    return faces;
+  };
+  std::stable_sort(sets.begin(), sets.end(),
+                   [&](const ChordSet& a, const ChordSet& b) { return length(a) < length(b); });
+  double left = options_.most_walked * static_cast<double>(faces_);
+  const auto rest = std::find_if(sets.begin(), sets.end(), [&](const ChordSet& set) {
+    left -= static_cast<double>(length(set));
+    return left < 0;
+  });
+  report_.rejected[static_cast<std::size_t>(ChordReject::kLong)] +=
+      static_cast<std::uint64_t>(sets.end() - rest);
+  sets.erase(rest, sets.end());
 }
 
 std::optional<ChordCollapse::Gain> ChordCollapse::recall(std::uint64_t key) const {

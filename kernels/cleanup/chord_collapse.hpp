@@ -26,6 +26,9 @@ struct ChordOptions {
   // than the share `least_yield` of the sets looked at (of few sets nothing can be said). 0: none.
   int most_rounds = 6;
   double least_yield = 0.002;
+  // The shortest sets of a round are looked at, as many as together are so many times as long as the mesh has
+  // faces: they gain most for their faces, and the time stays linear in the faces.
+  double most_walked = 1;
   // The whole mesh: collapses that take its number of faces further than this share from `wanted_faces` (0:
   // those at the start) are left out.
   double most_shrinkage = 0.1;

@@ -11,6 +11,7 @@ namespace quarry {
 
 // Why the chords between two vertices of opposite charge are not collapsed.
 enum class ChordReject : std::uint8_t {
+  kLong,      // too long to be looked at
   kLines,     // fixed vertices, or lines, would become one
   kNotWhole,  // a face or an edge would be lost beside them
   kFewFaces,  // around a vertex: a corner would be a half turn or more
@@ -19,12 +20,12 @@ enum class ChordReject : std::uint8_t {
   kFaceBand,  // the mesh would have too few faces
   kQuality,   // judged after smoothing
 };
-inline constexpr std::size_t kChordRejects = 7;
+inline constexpr std::size_t kChordRejects = 8;
 
 struct ChordReport {
   std::uint64_t chords = 0;       // at the start
   std::uint64_t collapsible = 0;  // of them
-  std::uint64_t sets = 0;         // of chords between vertices of opposite charge, over all rounds
+  std::uint64_t sets = 0;         // of chords between vertices of opposite charge, looked at in all rounds
   std::uint64_t rounds = 0;
   std::uint64_t tried = 0, won = 0;
   std::uint64_t faces = 0;  // that went with those that won

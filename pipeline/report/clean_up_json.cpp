@@ -18,7 +18,7 @@ constexpr std::array<const char*, kPatchRejects> kRejectNames = {
     "no_solution_6", "number_of_faces", "no_gain",    "lines",         "double_edge",   "quality"};
 
 constexpr std::array<const char*, kChordRejects> kChordRejectNames = {
-    "lines", "not_whole", "few_faces", "no_gain", "overlap", "number_of_faces", "quality"};
+    "long", "lines", "not_whole", "few_faces", "no_gain", "overlap", "number_of_faces", "quality"};
 
 // What local operators do once more after the patches.
 constexpr const char* kAtEnd = " at the end";

@@ -419,9 +419,23 @@ TEST(CollapseOfChords, LeavesTheMeshAsItWasWhereFacesWouldBePoor) {
   EXPECT_GT(left, 4U);
 }
 
+TEST(CollapseOfChords, LooksAtTheShortestAlone) {
+  // What remains of a round's walk is no longer than the row, which is twelve faces of 156.
+  for (const double share : {11.5 / 156, 12.5 / 156}) {
+    Turn given;
+    ChordOptions options;
+    options.most_walked = share;
+    const ChordReport report = collapse(given.mesh, options);
+    const bool reached = share > 12.0 / 156;
+    EXPECT_EQ(report.won, reached ? 1U : 0U);
+    EXPECT_EQ(report.rejected[static_cast<std::size_t>(ChordReject::kLong)] > 0, !reached);
+  }
+}
+
 TEST(CollapseOfChords, EndWithTheRoundThatIsNotWorthIt) {
   ChordOptions options;
   options.least_gain = 0.1;
+  options.most_walked = 100;
   test::SyntheticMesh given = between_lines(1, 60);
   EXPECT_GT(collapse(given.mesh, options).rounds, 1U);
   options.least_yield = 0.9;

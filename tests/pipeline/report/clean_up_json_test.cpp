@@ -104,6 +104,7 @@ TEST(CleanUpJson, SaysOfChordsWhatWasTriedWonAndRejected) {
   EXPECT_EQ(chords["won"], 4);
   EXPECT_EQ(chords["energy"], 8);
   const auto reason = [](ChordReject reject) { return 200 + static_cast<int>(reject); };
+  EXPECT_EQ(chords["rejected"]["long"], reason(ChordReject::kLong));
   EXPECT_EQ(chords["rejected"]["lines"], reason(ChordReject::kLines));
   EXPECT_EQ(chords["rejected"]["not_whole"], reason(ChordReject::kNotWhole));
   EXPECT_EQ(chords["rejected"]["few_faces"], reason(ChordReject::kFewFaces));
