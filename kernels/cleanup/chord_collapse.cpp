@@ -45,9 +45,8 @@ class ChordCollapse {
     [[nodiscard]] double worth() const { return energy / static_cast<double>(faces); }
   };
 
-  // False if another is not worth its time.
+  // False if no chord went.
   bool run_round(const Progress& progress);
-  [[nodiscard]] bool is_worth_it(std::uint64_t won, std::uint64_t sets) const;
   void search(const Chords& chords);
   void keep_shortest(const Chords& chords, std::vector<ChordSet>& sets);
   // Of a set that the last round looked at; none of others.
@@ -79,7 +78,6 @@ bool ChordCollapse::run_round(const Progress& progress) {
     report_.chords = chords.count();
     for (std::uint32_t i = 0; i < chords.count(); ++i) report_.collapsible += chords[i].collapsible ? 1 : 0;
   }
-  const std::uint64_t sets_before = report_.sets;
   search(chords);
   if (proposals_.empty()) return false;
   const ChordCommit operation(mesh_, options_, proposals_);
@@ -93,13 +91,7 @@ bool ChordCollapse::run_round(const Progress& progress) {
   balance_.check("collapse of chords", mesh_, GeometryCheck::kNone);
   const std::uint64_t won_before = report_.won;
   count(operation);
-  return is_worth_it(report_.won - won_before, report_.sets - sets_before);
-}
-
-bool ChordCollapse::is_worth_it(std::uint64_t won, std::uint64_t sets) const {
-  constexpr std::uint64_t kFewSets = 200;
-  return won > 0 &&
-         (sets < kFewSets || static_cast<double>(won) >= options_.least_yield * static_cast<double>(sets));
+  return report_.won > won_before;
 }
 
 void ChordCollapse::search(const Chords& chords) {
@@ -150,8 +142,7 @@ void ChordCollapse::keep_shortest(const Chords& chords, std::vector<ChordSet>& s
     left -= static_cast<double>(length(set));
     return left < 0;
   });
-  report_.rejected[static_cast<std::size_t>(ChordReject::kLong)] +=
-      static_cast<std::uint64_t>(sets.end() - rest);
+  report_.reject(ChordReject::kLong, static_cast<std::uint64_t>(sets.end() - rest));
   sets.erase(rest, sets.end());
 }
 

@@ -22,10 +22,8 @@ struct ChordOptions {
   // The least valence energy for each root of the number of faces of the mesh, which is about one row of it,
   // that goes: the mesh becomes coarser all along a chord.
   double least_gain = 0.5;
-  // Rounds: chords that share faces go one after the other. No more after one in which none went, or fewer
-  // than the share `least_yield` of the sets looked at (of few sets nothing can be said). 0: none.
+  // Rounds: chords that share faces go one after the other. No more after one in which none went. 0: none.
   int most_rounds = 6;
-  double least_yield = 0.002;
   // The shortest sets of a round are looked at, as many as together are so many times as long as the mesh has
   // faces: they gain most for their faces, and the time stays linear in the faces.
   double most_walked = 1;

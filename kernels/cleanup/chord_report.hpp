@@ -33,7 +33,9 @@ struct ChordReport {
   std::array<std::uint64_t, kChordRejects> rejected{};
   PassReport commits;  // without a name
 
-  void reject(ChordReject reason) { ++rejected[static_cast<std::size_t>(reason)]; }
+  void reject(ChordReject reason, std::uint64_t times = 1) {
+    rejected[static_cast<std::size_t>(reason)] += times;
+  }
 };
 
 }  // namespace quarry
